@@ -64,6 +64,10 @@ class SourceController {
   [[nodiscard]] const std::shared_ptr<const calibration::Calibration>& calibration() const {
     return source_.calibration;
   }
+  /// See RigCamera::readout_s; 0 of other sources.
+  [[nodiscard]] double readout_s() const {
+    return source_.rig ? source_.rig->settings.measurement.readout_s : 0.0;
+  }
   /// Adds a check to those of a calibration, if it is still that of the source.
   void note_check(const calibration::Calibration& checked,
                   const calibration::CalibrationCheck& check);

@@ -243,6 +243,7 @@ void StageController::show() {
 void StageController::use(std::size_t stage, const OpenedStage& opened) {
   scan::LiveScanOptions options = options_;
   options.finish.jaw = reconstruct::jaw_of(io::kScanStages[stage]);
+  options.readout_s = source_.readout_s();
   if (store_ != nullptr && !store_->is_read_only()) {
     options.journal = store_->journal(io::kScanStages[stage]);
   }

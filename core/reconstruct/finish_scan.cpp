@@ -106,7 +106,7 @@ Result<void> Finisher::refine_views() {
 /// Puts the points where they were at the time of their view if the shutter is a rolling one.
 Result<void> Finisher::correct_rows(refinement::Refinement& refined,
                                     std::vector<AlignedView>& serving) {
-  const refinement::RowShare row_share = row_share_of(*scanned_.calibration);
+  const trajectory::RowShare row_share = row_share_of(*scanned_.calibration);
   auto readout = refinement::estimate_readout(serving, row_share, options_.refinement, workers_,
                                               progress_.part(kReadoutShare));
   if (!readout) return tl::unexpected(readout.error());

@@ -1,7 +1,6 @@
 #include "core/reconstruct/recover_views.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -18,6 +17,8 @@ constexpr std::size_t kMostViews = 200;
 constexpr std::size_t kFewestViews = 20;
 /// Share of the time for the readout; the rest is for registering again.
 constexpr double kFindingShare = 0.5;
+/// Share of that for the views one by one; the rest is for those that were lost.
+constexpr double kAddingShare = 0.7;
 
 bool is_unconnected(const tracking::RegisteredView& view) {
   return view.fate == tracking::ViewFate::kRejected &&
@@ -40,7 +41,7 @@ std::vector<AlignedView> some_connected(const std::vector<tracking::RegisteredVi
 
 /// None: too few views, or not surely a rolling shutter.
 Result<std::optional<refinement::Readout>> find_readout(
-    std::vector<AlignedView> views, const refinement::RowShare& row_share,
+    std::vector<AlignedView> views, const trajectory::RowShare& row_share,
     const refinement::JointRefineOptions& options, const Workers& workers,
     const Progress& progress) {
   if (views.size() < kFewestViews) return std::nullopt;
@@ -55,35 +56,81 @@ Result<std::optional<refinement::Readout>> find_readout(
   return *readout;
 }
 
+std::size_t count_registered(const std::vector<tracking::RegisteredView>& views) {
+  return static_cast<std::size_t>(std::count_if(views.begin(), views.end(), [](const auto& view) {
+    return view.fate == tracking::ViewFate::kRegistered;
+  }));
+}
+
+/// From a view in the middle that both know.
+std::optional<Isometry> frame_change(const std::vector<tracking::RegisteredView>& from,
+                                     const std::vector<tracking::RegisteredView>& to) {
+  std::vector<std::size_t> known;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (from[i].fate == tracking::ViewFate::kRegistered &&
+        to[i].fate == tracking::ViewFate::kRegistered)
+      known.push_back(i);
+  }
+  if (known.empty()) return std::nullopt;
+  const std::size_t i = known[known.size() / 2];
+  return to[i].T_world_sensor * from[i].T_world_sensor.inverse();
+}
+
+/// Begins anew, knowing the shutter. None, and no change of the registrar: no more views fit.
+std::optional<std::vector<tracking::RegisteredView>> register_again(
+    tracking::Registrar& registrar, const std::vector<tracking::RegisteredView>& settled,
+    const trajectory::Shutter& shutter, tracking::Registrar::World world,
+    const Progress& progress) {
+  tracking::RegistrarOptions options = registrar.options();
+  options.track.shutter = shutter;
+  // The options were validated before, so an error cannot occur.
+  tracking::Registrar again = *tracking::Registrar::create(options);
+  for (const tracking::RegisteredView& view : settled) {
+    if (progress.cancelled()) return std::nullopt;
+    again.add(view.view);
+    progress.advance(kAddingShare / static_cast<double>(settled.size()));
+  }
+  auto found =
+      again.finish(tracking::Registrar::World::kFirstView, progress.part(1.0 - kAddingShare));
+  if (count_registered(found) <= count_registered(settled)) return std::nullopt;
+  if (world == tracking::Registrar::World::kUnchanged) {
+    const auto T_before_now = frame_change(found, settled);
+    if (!T_before_now) return std::nullopt;
+    again.change_frame(*T_before_now);
+    for (tracking::RegisteredView& view : found)
+      view.T_world_sensor = *T_before_now * view.T_world_sensor;
+  }
+  registrar = std::move(again);
+  return found;
+}
+
 }  // namespace
 
 Result<std::vector<tracking::RegisteredView>> recover_views(
     tracking::Registrar& registrar, std::vector<tracking::RegisteredView> settled,
     const calibration::Calibration& calibration, const RecoverOptions& options,
     const Workers& workers, const Progress& progress) {
+  // Views that showed nothing new have given their points away.
+  const bool is_whole =
+      std::none_of(settled.begin(), settled.end(), [](const tracking::RegisteredView& view) {
+        return view.fate == tracking::ViewFate::kRegistered && view.view->profiles.empty();
+      });
   const auto unconnected = std::count_if(settled.begin(), settled.end(), is_unconnected);
-  if (static_cast<double>(unconnected) < kLeastUnconnected * static_cast<double>(settled.size())) {
+  if (!is_whole || registrar.options().track.shutter.is_rolling() ||
+      static_cast<double>(unconnected) < kLeastUnconnected * static_cast<double>(settled.size())) {
     progress.advance();
     return settled;
   }
-  const refinement::RowShare row_share = row_share_of(calibration);
+  const trajectory::RowShare row_share = row_share_of(calibration);
   const auto readout = find_readout(some_connected(settled), row_share, options.refinement, workers,
                                     progress.part(kFindingShare));
   if (!readout) return tl::unexpected(readout.error());
   if (!*readout) return settled;
-  std::map<FrameIndex, std::shared_ptr<const View>> measured;
-  for (const tracking::RegisteredView& view : settled) measured[view.view->frame] = view.view;
-  registrar.change_points([&](std::vector<AlignedView> part) {
-    return refinement::without_rolling_shutter(std::move(part), (*readout)->readout_s, row_share);
-  });
-  settled = registrar.finish(options.world, progress.part(1.0 - kFindingShare));
-  registrar.change_points([&](std::vector<AlignedView> part) {
-    for (AlignedView& view : part) view.view = measured.at(view.view->frame);
-    return part;
-  });
+  auto again = register_again(registrar, settled, {(*readout)->readout_s, row_share}, options.world,
+                              progress.part(1.0 - kFindingShare));
   if (progress.cancelled()) return stopped();
-  for (tracking::RegisteredView& view : settled) view.view = measured.at(view.view->frame);
-  return settled;
+  if (!again) return settled;
+  return *std::move(again);
 }
 
 }  // namespace flytri::reconstruct

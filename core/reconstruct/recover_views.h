@@ -17,14 +17,15 @@ struct RecoverOptions {
 };
 
 /// With a rolling shutter and a fast hand, views are distorted so much that some do not fit the
-/// others. The readout shows in the views that do fit. With it all views are corrected, by the
-/// motion in their own part of the scan, and registered again.
+/// others. The readout shows in the views that do fit. With it all views are registered again, from
+/// the first on, each corrected by the motion of the hand.
 ///
-/// @param registrar  after finish(), without edits; its points stay as they were measured
+/// @param registrar  after finish(), without edits; replaced if that finds more views
 /// @param settled    the result of finish()
 /// @param progress   advanced by one step
-/// @return  as finish(); `settled` itself if enough views are connected, or if the shutter is a
-///          global one
+/// @return  as finish(), with the views as measured; `settled` itself if enough views are
+/// connected,
+///          if the shutter is a global one, or if it was known before
 /// @errors  kBadOption, kCancelled
 [[nodiscard]] Result<std::vector<tracking::RegisteredView>> recover_views(
     tracking::Registrar& registrar, std::vector<tracking::RegisteredView> settled,

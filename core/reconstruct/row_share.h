@@ -7,7 +7,7 @@
 namespace flytri::reconstruct {
 
 /// @param calibration  must outlive the result
-[[nodiscard]] inline refinement::RowShare row_share_of(
+[[nodiscard]] inline trajectory::RowShare row_share_of(
     const calibration::Calibration& calibration) {
   return [&calibration](const Vec3& p_mm) {
     const double row = calibration.project_to_measurement(p_mm).v_px + 0.5;

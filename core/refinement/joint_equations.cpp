@@ -139,7 +139,7 @@ void JointEquations::move_projectors(std::span<const Twist> motions) {
   }
 }
 
-void JointEquations::set_rolling_shutter(const RowShare& row_share) {
+void JointEquations::set_rolling_shutter(const trajectory::RowShare& row_share) {
   measured_mm_.clear();
   for (const Datum& datum : data_) {
     measured_mm_.push_back(datum.position_mm);
@@ -151,8 +151,8 @@ void JointEquations::move_rows(std::span<const Twist> velocities, double readout
   velocities_.assign(velocities.begin(), velocities.end());
   readout_s_ = readout_s;
   for (std::size_t i = 0; i < data_.size(); ++i) {
-    data_[i].position_mm =
-        seen_late(velocities_[data_[i].view.at()], readout_s * row_shares_[i], measured_mm_[i]);
+    data_[i].position_mm = trajectory::seen_late(velocities_[data_[i].view.at()],
+                                                 readout_s * row_shares_[i], measured_mm_[i]);
   }
 }
 
@@ -160,8 +160,8 @@ void JointEquations::move_rows(std::span<const Twist> velocities, double readout
 SharedVector JointEquations::shared_jacobian(std::size_t i, const Vec3& gradient_sensor) const {
   const Datum& datum = data_[i];
   if (has_rolling_shutter()) {
-    const Vec3 per_s = seen_late_derivative(velocities_[datum.view.at()],
-                                            readout_s_ * row_shares_[i], datum.position_mm);
+    const Vec3 per_s = trajectory::seen_late_derivative(
+        velocities_[datum.view.at()], readout_s_ * row_shares_[i], datum.position_mm);
     return SharedVector::Constant(1, row_shares_[i] * gradient_sensor.dot(per_s));
   }
   const SheetShift shift =

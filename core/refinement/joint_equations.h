@@ -90,7 +90,7 @@ class JointEquations {
 
   /// From now on, the equations have the readout of a rolling shutter as an unknown, too. Not
   /// together with projectors.
-  void set_rolling_shutter(const RowShare& row_share);
+  void set_rolling_shutter(const trajectory::RowShare& row_share);
   [[nodiscard]] bool has_rolling_shutter() const { return !row_shares_.empty(); }
   /// Puts the data where they were at the time of their view.
   /// @param velocities  of the sensor, by view

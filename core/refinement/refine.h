@@ -110,7 +110,7 @@ struct ProjectorMotion {
 /// @source  this project's, see docs/adr/0023-rolling-shutter.md
 /// @errors  kBadOption, kInsufficient, kCancelled
 [[nodiscard]] Result<Readout> estimate_readout(std::span<const AlignedView> views,
-                                               const RowShare& row_share,
+                                               const trajectory::RowShare& row_share,
                                                const JointRefineOptions& options,
                                                const Workers& workers,
                                                const Progress& progress = {});
@@ -120,11 +120,9 @@ struct ProjectorMotion {
 /// @param readout  where the search begins; then the result
 /// @source  this project's, see docs/adr/0023-rolling-shutter.md
 /// @errors  as refine_jointly(); then points and readout do not change
-[[nodiscard]] Result<Refinement> refine_with_readout(std::vector<AlignedView>& views,
-                                                     Readout& readout, const RowShare& row_share,
-                                                     const JointRefineOptions& options,
-                                                     const Workers& workers,
-                                                     const Progress& progress = {});
+[[nodiscard]] Result<Refinement> refine_with_readout(
+    std::vector<AlignedView>& views, Readout& readout, const trajectory::RowShare& row_share,
+    const JointRefineOptions& options, const Workers& workers, const Progress& progress = {});
 
 struct MetaviewRefineOptions {
   /// For aligning one view to its metaview. The guess is near, so there is no coarse stage.

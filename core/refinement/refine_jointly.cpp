@@ -16,6 +16,8 @@ namespace {
 
 /// A step must not raise the robust spread by more than this.
 constexpr double kMaxWorsening = 1.02;
+/// While the readout still changes: the data move, and some leave the cells in which they fitted.
+constexpr double kMaxUnsettledWorsening = 1.2;
 /// Shares of time: of a step in the remaining time (the number of steps is unknown); of the
 /// surfaces in a step; of the sums in the pose update.
 constexpr double kStepShare = 0.25, kSurfaceShare = 0.5, kSumShare = 0.4;
@@ -67,7 +69,7 @@ class JointRefiner {
   void find_motions(std::span<const ProjectorMotion> motions, const Vec3& p_camera_mm);
   Result<Refinement> run();
   /// Solves for the readout of a rolling shutter, too.
-  void find_readout(const RowShare& row_share, double from_s);
+  void find_readout(const trajectory::RowShare& row_share, double from_s);
   /// One solution from the present poses, which do not change.
   Result<Readout> estimate();
   [[nodiscard]] Readout readout() const { return {now_.readout_s, readout_uncertainty_s_}; }
@@ -118,7 +120,7 @@ void JointRefiner::find_motions(std::span<const ProjectorMotion> motions, const 
   place_data();
 }
 
-void JointRefiner::find_readout(const RowShare& row_share, double from_s) {
+void JointRefiner::find_readout(const trajectory::RowShare& row_share, double from_s) {
   equations_.set_rolling_shutter(row_share);
   now_.readout_s = from_s;
   place_data();
@@ -267,7 +269,9 @@ Result<Refinement> JointRefiner::run() {
     auto step = equations_.fit_surfaces(now_.poses, of_step.part(kSurfaceShare));
     if (!step) return stop_at(std::move(best));
     const bool comparable = step->cell_mm == cell_mm;
-    if (comparable && step->robust_sigma_mm > kMaxWorsening * former_sigma_mm) {
+    const double limit =
+        std::abs(readout_change_s_) < kSettledReadout_s ? kMaxWorsening : kMaxUnsettledWorsening;
+    if (comparable && step->robust_sigma_mm > limit * former_sigma_mm) {
       go_to(best);
       break;
     }
@@ -346,7 +350,8 @@ Result<Refinement> refine_with_projectors(std::vector<AlignedView>& views,
   return refined;
 }
 
-Result<Readout> estimate_readout(std::span<const AlignedView> views, const RowShare& row_share,
+Result<Readout> estimate_readout(std::span<const AlignedView> views,
+                                 const trajectory::RowShare& row_share,
                                  const JointRefineOptions& options, const Workers& workers,
                                  const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
@@ -360,8 +365,9 @@ Result<Readout> estimate_readout(std::span<const AlignedView> views, const RowSh
 }
 
 Result<Refinement> refine_with_readout(std::vector<AlignedView>& views, Readout& readout,
-                                       const RowShare& row_share, const JointRefineOptions& options,
-                                       const Workers& workers, const Progress& progress) {
+                                       const trajectory::RowShare& row_share,
+                                       const JointRefineOptions& options, const Workers& workers,
+                                       const Progress& progress) {
   if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
   if (views.empty()) return fail(ErrorCode::kInsufficient, "there is no view to optimize");
   JointRefiner refiner(views, options, workers, progress);

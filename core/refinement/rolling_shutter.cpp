@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "core/trajectory/sensor_velocity.h"
@@ -39,26 +38,15 @@ std::vector<Twist> velocities_of(std::span<const AlignedView> views,
   return velocities;
 }
 
-std::shared_ptr<const View> without_rolling_shutter(const View& view, const Twist& velocity,
-                                                    double readout_s, const RowShare& row_share) {
-  auto moved = std::make_shared<View>(view);
-  for (Profile& profile : moved->profiles) {
-    for (ProfilePoint& point : profile.points) {
-      point.position_mm =
-          seen_late(velocity, readout_s * row_share(point.position_mm), point.position_mm);
-    }
-  }
-  return moved;
-}
-
 std::vector<AlignedView> without_rolling_shutter(std::vector<AlignedView> views, double readout_s,
-                                                 const RowShare& row_share) {
+                                                 const trajectory::RowShare& row_share) {
   std::vector<Isometry> poses;
   poses.reserve(views.size());
   for (const AlignedView& view : views) poses.push_back(view.T_world_sensor);
   const std::vector<Twist> velocities = velocities_of(views, poses);
+  const trajectory::Shutter shutter{readout_s, row_share};
   for (std::size_t v = 0; v < views.size(); ++v)
-    views[v].view = without_rolling_shutter(*views[v].view, velocities[v], readout_s, row_share);
+    views[v].view = trajectory::without_rolling_shutter(*views[v].view, velocities[v], shutter);
   return views;
 }
 

@@ -1,20 +1,13 @@
-/// @file  A rolling shutter sees points before or after the time of their view: moves them to where
-///        they were at that time.
+/// @file  The readout of a rolling shutter, and the views of a scan without its effect.
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/geometry/view.h"
+#include "core/trajectory/rolling_shutter.h"
 
 namespace flytri::refinement {
-
-/// Time from the middle row of the image to the row in which a point was seen, as a share of the
-/// readout: -0.5 for the first row, 0.5 for the last.
-/// @param p_mm  the point as measured, sensor frame
-using RowShare = std::function<double(const Vec3& p_mm)>;
 
 /// The readout of a rolling shutter.
 struct Readout {
@@ -25,37 +18,14 @@ struct Readout {
   [[nodiscard]] bool is_long() const;
 };
 
-/// A point, in the sensor's frame at the time of the view.
-/// @param velocity  of the sensor, see trajectory::sensor_velocities()
-/// @param late_s    when it was seen, after the time of the view
-/// @param p_mm      the point in the sensor's frame when it was seen
-[[nodiscard]] inline Vec3 seen_late(const Twist& velocity, double late_s, const Vec3& p_mm) {
-  return exp_twist(late_s * velocity) * p_mm;
-}
-
-/// Derivative of seen_late() with respect to `late_s`, mm/s.
-/// @param moved_mm  result of seen_late()
-[[nodiscard]] inline Vec3 seen_late_derivative(const Twist& velocity, double late_s,
-                                               const Vec3& moved_mm) {
-  const Vec3 moving = velocity.tail<3>();
-  return velocity.head<3>().cross(moved_mm - late_s * moving) + moving;
-}
-
 /// Velocity of the sensor by view, as the poses show it.
 /// @param views  by rising time. Views without points are left out: they have not been optimized
 /// @param poses  T_world_sensor, by view
 [[nodiscard]] std::vector<Twist> velocities_of(std::span<const AlignedView> views,
                                                std::span<const Isometry> poses);
 
-/// The view as a global shutter would have seen it.
-/// @param velocity  of the sensor
-[[nodiscard]] std::shared_ptr<const View> without_rolling_shutter(const View& view,
-                                                                  const Twist& velocity,
-                                                                  double readout_s,
-                                                                  const RowShare& row_share);
-/// The same for all views of a scan, with velocities_of() them.
-[[nodiscard]] std::vector<AlignedView> without_rolling_shutter(std::vector<AlignedView> views,
-                                                               double readout_s,
-                                                               const RowShare& row_share);
+/// The views as a global shutter would have seen them, with velocities_of() them.
+[[nodiscard]] std::vector<AlignedView> without_rolling_shutter(
+    std::vector<AlignedView> views, double readout_s, const trajectory::RowShare& row_share);
 
 }  // namespace flytri::refinement

@@ -202,14 +202,14 @@ void GrowingScan::hand_over_growth(std::optional<double> offered_at_s) {
   known_views_ = growth.is_all ? growth.added.size() : known_views_ + growth.added.size();
   if (growth.is_all) {
     waiting_ = {};
-    model_.build_in_other_world(aligned_views());
+    model_.build_in_other_world(registrar_->aligned_views());
   } else if (!growth.added.empty()) {
     waiting_.views.insert(waiting_.views.end(), growth.added.begin(), growth.added.end());
     if (offered_at_s) waiting_.offered_at_s.push_back(*offered_at_s);
   }
   if (!growth.added.empty()) {
     // A journal that came later lacks the views that were lost at that time.
-    for (const AlignedView& view : growth.added) journal_view(view.view);
+    for (const auto& view : growth.measured) journal_view(view);
     journal([views = growth.added](ScanJournal& journal) { journal.keep_poses(views); });
   }
   if (waiting_.views.empty()) return;
@@ -258,7 +258,9 @@ void GrowingScan::restore(const KeptScan& kept) {
     s.scanned_s = scanned_s_;
   });
   [[maybe_unused]] const tracking::ScanGrowth known = registrar_->take_growth();
-  model_.restore(kept.views, kept.texture_frames, kept.edits);
+  const bool is_rolling = options_.registration.track.shutter.is_rolling();
+  model_.restore(is_rolling ? registrar_->aligned_views() : kept.views, kept.texture_frames,
+                 kept.edits);
   show_edits();
   if (kept.result == nullptr) return model_.look_for_holes();
   phase_ = ScanPhase::kFinished;
@@ -326,7 +328,7 @@ void GrowingScan::pause() {
   hand_over_waiting();
   refinement_.run_if_new(known_views_, [this] { return registrar_->serving_views(); });
   // A paused model shows the best poses. A running optimization will do the same at its end.
-  if (!refinement_.is_running()) model_.follow(aligned_views(), 0.0);
+  if (!refinement_.is_running()) model_.follow(registrar_->aligned_views(), 0.0);
   model_.look_for_holes();
 }
 
@@ -364,7 +366,7 @@ void GrowingScan::take_refined(const std::vector<AlignedView>& refined) {
   // A rebuilt model contains all views: views handed over after it would be in it twice.
   hand_over_waiting();
   registrar_->apply(refined);
-  const std::vector<AlignedView> views = aligned_views();
+  const std::vector<AlignedView> views = registrar_->aligned_views();
   journal([views](ScanJournal& journal) { journal.keep_poses(views); });
   model_.follow(views, is_scanning(phase_) ? kToleratedCells : 0.0);
 }
@@ -382,7 +384,7 @@ FinishingWork GrowingScan::finishing_work() const {
 
 void GrowingScan::finish(double close_holes_mm) {
   if (!accepts(phase_, ScanEvent::kFinish, has_model())) return;
-  views_before_finishing_ = registrar_->aligned_views();
+  views_before_finishing_ = registrar_->measured_views();
   finishing_.announce_run(finishing_work());
   step(ScanEvent::kFinish);
   board_.update([](ScanSnapshot& s) { s.failure.clear(); });
@@ -426,7 +428,7 @@ void GrowingScan::take_no_result(const Error& why) {
 
 void GrowingScan::keep_in(std::shared_ptr<ScanJournal> to) {
   journal_.change(std::move(to));
-  const std::vector<AlignedView> views = aligned_views();
+  const std::vector<AlignedView> views = measured_views();
   journaled_.clear();
   for (const AlignedView& view : views) journaled_.insert(view.view->frame);
   // One entry, so that a long scan does not fill the journal's queue.

@@ -92,9 +92,9 @@ class GrowingScan {
   void journal(JournalThread::Entry entry) { journal_.write(std::move(entry)); }
   void journal_view(const std::shared_ptr<const View>& view);
   [[nodiscard]] bool has_model() const { return known_views_ > 0; }
-  /// While finishing: as they were when it began.
-  [[nodiscard]] std::vector<AlignedView> aligned_views() const {
-    return registrar_ != nullptr ? registrar_->aligned_views() : views_before_finishing_;
+  /// With their points as measured. While finishing: as they were when it began.
+  [[nodiscard]] std::vector<AlignedView> measured_views() const {
+    return registrar_ != nullptr ? registrar_->measured_views() : views_before_finishing_;
   }
 
   const std::shared_ptr<const calibration::Calibration> calibration_;

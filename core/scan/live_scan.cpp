@@ -2,12 +2,14 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <mutex>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "core/base/check_options.h"
+#include "core/reconstruct/row_share.h"
 #include "core/scan/frame_intake.h"
 #include "core/scan/growing_scan.h"
 
@@ -138,6 +140,7 @@ Result<void> LiveScanOptions::validate() const {
       .nested(measure)
       .nested(registration)
       .nested(surface)
+      .must("readout_s", readout_s, std::isfinite(readout_s), "finite")
       .at_least("measure_threads", measure_threads, 1)
       .at_least("max_frames_underway", max_frames_underway, 2)
       .at_least("max_views_waiting", max_views_waiting, 1)
@@ -152,9 +155,14 @@ LiveScan::LiveScan(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 LiveScan::~LiveScan() = default;
 
 Result<std::unique_ptr<LiveScan>> LiveScan::create(
-    std::shared_ptr<const calibration::Calibration> calibration, const LiveScanOptions& options,
+    std::shared_ptr<const calibration::Calibration> calibration, const LiveScanOptions& given,
     const KeptScan& kept) {
-  if (auto valid = options.validate(); !valid) return tl::unexpected(valid.error());
+  if (auto valid = given.validate(); !valid) return tl::unexpected(valid.error());
+  LiveScanOptions options = given;
+  if (options.readout_s != 0.0) {
+    options.registration.track.shutter = {options.readout_s,
+                                          reconstruct::row_share_of(*calibration)};
+  }
   Result<tracking::Registrar> registrar = tracking::Registrar::create(options.registration);
   if (!registrar) return tl::unexpected(registrar.error());
   Result<LiveModel> model =

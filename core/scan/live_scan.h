@@ -21,7 +21,10 @@ namespace flytri::scan {
 
 struct LiveScanOptions {
   measurement::MeasureOptions measure;
+  /// LiveScan sets its shutter.
   tracking::RegistrarOptions registration;
+  /// Finite. Delay of the camera's last row after the first; 0: a global shutter, or not known.
+  double readout_s = 0.0;
   live::LiveSurfaceOptions surface;
   reconstruct::FinishOptions finish;
   /// Makes a view of a frame. Empty: measure_view(). Studies and tests give simulated views.

@@ -151,6 +151,7 @@ void Registrar::restore(std::span<const AlignedView> views) {
     added_.push_back({aligned.view, RejectReason::kNone, false});
     last_time_s_ = aligned.view->time_s;
   }
+  if (!submaps_.empty()) submaps_[scan_]->correct_all();
 }
 
 void Registrar::set_edits(const editing::EditList& edits) {
@@ -323,6 +324,7 @@ ScanGrowth Registrar::take_growth() {
   growth.is_all = returned_submap_ != scan_ || returned_views_ > views.size();
   for (std::size_t i = growth.is_all ? 0 : returned_views_; i < views.size(); ++i) {
     growth.added.push_back(views[i].aligned);
+    growth.measured.push_back(views[i].as_measured());
   }
   returned_submap_ = scan_;
   returned_views_ = views.size();
@@ -375,6 +377,17 @@ std::vector<AlignedView> Registrar::aligned_views() const {
   return result;
 }
 
+std::vector<AlignedView> Registrar::measured_views() const {
+  std::vector<AlignedView> result;
+  if (submaps_.empty()) return result;
+  for (const TrackedView& view : submaps_[scan_]->views()) {
+    if (!view.aligned.view->profiles.empty())
+      result.push_back({view.as_measured(), view.aligned.T_world_sensor});
+  }
+  sort_by_time(result);
+  return result;
+}
+
 std::vector<AlignedView> Registrar::serving_views() const {
   std::vector<AlignedView> result;
   if (submaps_.empty()) return result;
@@ -385,22 +398,12 @@ std::vector<AlignedView> Registrar::serving_views() const {
   return result;
 }
 
-void Registrar::change_points(const ChangePoints& change) {
-  std::map<FrameIndex, std::shared_ptr<const View>> changed;
-  for (const auto& submap : submaps_) {
-    if (submap->size() < 2) continue;
-    std::vector<AlignedView> views;
-    for (const TrackedView& view : submap->views()) views.push_back(view.aligned);
-    sort_by_time(views);
-    for (const AlignedView& view : change(std::move(views))) changed[view.view->frame] = view.view;
-    for (std::size_t i = 0; i < submap->size(); ++i)
-      submap->replace(i, changed.at(submap->views()[i].aligned.view->frame));
-  }
-  for (Added& added : added_) {
-    const auto found = changed.find(added.view->frame);
-    if (found != changed.end()) added.view = found->second;
-  }
+void Registrar::change_frame(const Isometry& T_new_world) {
+  if (submaps_.empty()) return;
+  submaps_[scan_]->change_frame(T_new_world);
   entry_search_.forget();
+  claim_.reset();
+  returned_views_ = std::numeric_limits<std::size_t>::max();
 }
 
 void Registrar::retry_submaps(const Progress& progress) {
@@ -448,6 +451,7 @@ void Registrar::retry_rejected(const Added& added) {
   if (!T_world_start) return;
   IncomingView incoming{added.view,
                         registration::prepare_view(*added.view, options_.track.smoothing)};
+  scan.correct(incoming, *T_world_start);
   const registration::Alignment found = scan.locate(incoming, *T_world_start);
   if (!convincing(found) || found.moved_mm > 0.3 * radius_mm_) return;
   scan.add(std::move(incoming), found.T_target_source);

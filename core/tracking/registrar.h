@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -55,6 +54,7 @@ struct ScanGrowth {
   /// True if another submap became the scan, or all poses have changed: `added` has all views.
   bool is_all = false;
   std::vector<AlignedView> added;
+  std::vector<std::shared_ptr<const View>> measured;  ///< the same views as they were measured
 };
 
 struct RegistrarOptions {
@@ -135,8 +135,10 @@ class Registrar {
 
   /// The views registered so far, in the world frame of the scan, without retired ones.
   [[nodiscard]] std::vector<AlignedView> aligned_views() const;
-  /// Of these, what the edits keep, see editing::serving_views(). A view of which nothing is kept
-  /// is left out.
+  /// The same with the points as measured, where a rolling shutter was corrected.
+  [[nodiscard]] std::vector<AlignedView> measured_views() const;
+  /// Of the aligned views, what the edits keep, see editing::serving_views(). A view of which
+  /// nothing is kept is left out.
   [[nodiscard]] std::vector<AlignedView> serving_views() const;
   /// Views added to the scan since the last call, including joined submaps.
   [[nodiscard]] ScanGrowth take_growth();
@@ -151,18 +153,15 @@ class Registrar {
     return submaps_[scan_]->trajectory();
   }
 
+  /// Changes the world frame of the scan to `new`. The next growth has all views.
+  void change_frame(const Isometry& T_new_world);
+  [[nodiscard]] const RegistrarOptions& options() const { return options_; }
+
   /// The world frame of the finished scan.
   enum class World {
     kFirstView,  ///< the sensor frame of the first view
     kUnchanged   ///< as before: edits and measurements refer to it
   };
-  /// Gives new points to views. Takes and returns those of one part of the scan, by rising time,
-  /// with their poses; each part has a frame of its own.
-  using ChangePoints = std::function<std::vector<AlignedView>(std::vector<AlignedView>)>;
-  /// Changes the points of all views that were registered to others, also in parts that are not
-  /// connected; finish() then tries these again. Not together with edits or retired views.
-  void change_points(const ChangePoints& change);
-
   /// After the scan: tries submaps and rejected views again with the whole model, then returns the
   /// final fate of every view, in the order of add().
   /// @param progress  advances by at most one step. After a cancellation, views that were not tried

@@ -18,7 +18,7 @@ constexpr std::size_t kMinPathPoses = 8;
 constexpr std::size_t kMinAlignedViews = 8;
 /// Limit of a usual fit: some times the median RMS, plus this minimum as a share of the radius,
 /// because the median of ideal data is almost zero.
-constexpr double kLeastRmsShare = 0.001;
+constexpr double kUsualSpread = 2.0, kLeastRmsShare = 0.001;
 /// Guesses of the next pose that are nearer to each other than this lead to the same fit.
 constexpr double kOtherGuessShare = 0.05;
 /// Weight of one view in the mean of the latest: about as many as in a quarter of a second.
@@ -31,8 +31,14 @@ constexpr int kHeldPairs = 2000;
 constexpr std::size_t kFirstViews = 8;
 /// The first view is where it is.
 constexpr double kFirstSigma_mm = 1e-3;
-/// Small relief fits in a wrong place, too, but not as well: limit of its fit, see usual_rms_mm().
-constexpr double kHeldSpread = 1.3;
+/// Small relief fits in a wrong place, too, but not as well: limit of its fit, as that of a usual
+/// one. Views on one another drift, and their fit gets worse by some percent from one to the next.
+constexpr double kHeldSpread = 1.15;
+constexpr double kLeastHeldRmsShare = 0.0001;
+/// Corrections of a view for a rolling shutter, the last if the pose that was found was not good.
+constexpr int kCorrections = 3;
+/// Latest views of which a new pose tells more.
+constexpr std::size_t kCorrectedAgain = 3;
 /// After so many time steps the pose cannot be predicted.
 constexpr double kPredictableSteps = 5.5;
 
@@ -73,6 +79,8 @@ Result<void> TrackOptions::validate() const {
       .at_least("min_points", min_points, 6)
       .positive_up_to("max_surprise_share", max_surprise_share, 5.0)
       .in_range("max_held_share", max_held_share, 0.0, 1.0)
+      .must("shutter.row_share", shutter.readout_s,
+            !shutter.is_rolling() || shutter.row_share != nullptr, "set for a rolling shutter")
       .result();
 }
 
@@ -85,7 +93,8 @@ TrackedScan::TrackedScan(const TrackOptions& options, double radius_mm)
 
 IncomingView TrackedScan::incoming(std::size_t i) const {
   const AlignedView& aligned = views_[i].aligned;
-  return {aligned.view, views_[i].placed.moved(aligned.T_world_sensor.inverse())};
+  return {aligned.view, views_[i].placed.moved(aligned.T_world_sensor.inverse()),
+          views_[i].measured};
 }
 
 void TrackedScan::add(IncomingView incoming, const Isometry& T_world_sensor,
@@ -93,6 +102,7 @@ void TrackedScan::add(IncomingView incoming, const Isometry& T_world_sensor,
   TrackedView view{{std::move(incoming.view), T_world_sensor},
                    incoming.prepared.moved(T_world_sensor),
                    uncertainty_mm};
+  view.measured = std::move(incoming.measured);
   if (views_.empty()) {
     motion_.add({view.aligned.view->time_s, T_world_sensor, incoming.prepared.center_mm,
                  Matrix6::Identity() / (kFirstSigma_mm * kFirstSigma_mm), false});
@@ -113,14 +123,21 @@ void TrackedScan::add(IncomingView incoming, const registration::Alignment& alig
   const double share = std::max(kLatestShare, 1.0 / static_cast<double>(averaged_views_));
   latest_information_ += share * (alignment.information - latest_information_);
   add(std::move(incoming), alignment.T_target_source, alignment.uncertainty_mm);
-  rms_mm_.push_back(alignment.rms_mm);
+  if (!alignment.is_held) rms_mm_.push_back(alignment.rms_mm);
+  if (!options_.shutter.is_rolling()) return;
+  // The new pose tells more of the motion at the poses before.
+  for (std::size_t i = views_.size() - std::min(views_.size(), kCorrectedAgain); i < views_.size();
+       ++i)
+    correct_again(i);
 }
 
-double TrackedScan::usual_rms_mm(double spread) const {
+double TrackedScan::usual_rms_mm() const { return usual_rms_mm(kUsualSpread, kLeastRmsShare); }
+
+double TrackedScan::usual_rms_mm(double spread, double least_share) const {
   if (rms_mm_.size() < kMinAlignedViews) return std::numeric_limits<double>::infinity();
   const std::size_t count = std::min(rms_mm_.size(), 4 * kMinAlignedViews);
   std::vector<double> latest(rms_mm_.end() - static_cast<std::ptrdiff_t>(count), rms_mm_.end());
-  return spread * median_of(latest) + kLeastRmsShare * radius_mm_;
+  return spread * median_of(latest) + least_share * radius_mm_;
 }
 
 SurfaceHold TrackedScan::surface_hold() const {
@@ -170,14 +187,6 @@ void TrackedScan::move(std::size_t i, const Isometry& T_world_sensor) {
   motion_.move(view.aligned.view->time_s, T_world_sensor);
 }
 
-void TrackedScan::replace(std::size_t i, std::shared_ptr<const View> view) {
-  TrackedView& replaced = views_[i];
-  replaced.aligned.view = std::move(view);
-  replaced.placed = registration::prepare_view(*replaced.aligned.view, options_.smoothing)
-                        .moved(replaced.aligned.T_world_sensor);
-  locate_extent(i);
-}
-
 void TrackedScan::locate_extent(std::size_t i) {
   const TrackedView& view = views_[i];
   if (view.placed.profiles.empty()) {
@@ -190,6 +199,7 @@ void TrackedScan::locate_extent(std::size_t i) {
 void TrackedScan::retire(std::size_t i) {
   TrackedView& view = views_[i];
   view.part = nullptr;
+  view.measured = nullptr;
   view.placed_whole.reset();
   view.aligned.view = without_points(*view.aligned.view);
   view.placed = registration::PreparedView{};
@@ -231,7 +241,34 @@ registration::Alignment TrackedScan::align(
       .value_or(registration::Alignment{});
 }
 
-registration::Alignment TrackedScan::track(const IncomingView& incoming) const {
+registration::Alignment TrackedScan::track(IncomingView& incoming) const {
+  // Two views that the same motion distorts fit each other; only then is the motion known.
+  if (!options_.shutter.is_rolling() || views_.size() < 2) return track_as_it_is(incoming);
+  registration::Alignment result;
+  for (const Isometry& T_world_expected : moved_on(incoming.view->time_s)) {
+    result = track_corrected(incoming, T_world_expected);
+    if (result.aligned()) break;
+  }
+  return result;
+}
+
+/// Corrects a view by the pose at which it is expected, then by the one that is found.
+registration::Alignment TrackedScan::track_corrected(IncomingView& incoming,
+                                                     Isometry T_world_sensor) const {
+  registration::Alignment result;
+  for (int i = 0; i < kCorrections; ++i) {
+    correct(incoming, T_world_sensor);
+    const bool was_aligned = result.aligned();
+    result = track_as_it_is(incoming);
+    if (was_aligned) break;
+    // A pose that does not fit well tells the motion better than none.
+    if (!result.aligned() && result.outcome != registration::AlignOutcome::kPoorFit) break;
+    T_world_sensor = result.T_target_source;
+  }
+  return result;
+}
+
+registration::Alignment TrackedScan::track_as_it_is(const IncomingView& incoming) const {
   const trajectory::PosePrediction prediction = trajectory_.predict(incoming.view->time_s);
   registration::Alignment result = track_from(incoming, prediction);
   if (result.outcome == registration::AlignOutcome::kUndetermined) {
@@ -266,7 +303,7 @@ registration::Alignment TrackedScan::hold(const IncomingView& incoming) const {
   const auto seen = metaview(incoming, prediction->T_world_sensor, kSkipNone);
   const auto eigen = symmetric_eigen(prediction->covariance);
   const Twist open_mm = std::sqrt(eigen.values[5]) * eigen.vectors.col(5);
-  const double usual_mm = usual_rms_mm(kHeldSpread);
+  const double usual_mm = usual_rms_mm(kHeldSpread, kLeastHeldRmsShare);
   registration::Alignment best;
   for (const double sigmas : {0.0, -1.0, 1.0, -2.0, 2.0}) {
     const Isometry T_world_start =

@@ -11,6 +11,7 @@
 #include "core/registration/overlap_grid.h"
 #include "core/tracking/surface_hold.h"
 #include "core/trajectory/hand_motion.h"
+#include "core/trajectory/rolling_shutter.h"
 #include "core/trajectory/trajectory.h"
 
 namespace flytri::tracking {
@@ -35,6 +36,9 @@ struct TrackOptions {
   /// Default 0.03, range [0, 1). Where the surface leaves a direction open, the motion of the hand
   /// holds it, as long as the standard uncertainty of both together is at most this. 0: never.
   double max_held_share = 0.03;
+  /// Default: a global one. Views of a rolling shutter are registered as a global one would have
+  /// seen them, by the motion of the hand.
+  trajectory::Shutter shutter = {};
   /// Default true. Check the path with RANSAC, as in the paper, section "Sensor Movement
   /// Reconstruction".
   bool check_path = true;
@@ -42,15 +46,17 @@ struct TrackOptions {
   [[nodiscard]] Result<void> validate() const;
 };
 
-/// A new view, as measured and prepared.
+/// A new view, and the same prepared.
 struct IncomingView {
   std::shared_ptr<const View> view;
   registration::PreparedView prepared;  ///< sensor frame
+  /// Of a rolling shutter, once `view` is corrected: as it was measured. Null: `view` is.
+  std::shared_ptr<const View> measured = nullptr;
 };
 
 /// A registered view. `placed` is what serves of the prepared view, in the world frame.
 struct TrackedView {
-  AlignedView aligned;  ///< the whole view
+  AlignedView aligned;  ///< the whole view, as a global shutter would have seen it
   registration::PreparedView placed;
   /// Standard uncertainty of the pose in the worst of the six directions, when it was registered.
   /// NaN: not known. Infinite: the surface does not fix the pose.
@@ -60,7 +66,11 @@ struct TrackedView {
   /// back the same bits.
   std::shared_ptr<const View> part = nullptr;
   std::optional<registration::PreparedView> placed_whole = std::nullopt;
+  std::shared_ptr<const View> measured = nullptr;  ///< as IncomingView::measured
 
+  [[nodiscard]] const std::shared_ptr<const View>& as_measured() const {
+    return measured != nullptr ? measured : aligned.view;
+  }
   /// What serves of it, see editing::serving_views().
   [[nodiscard]] AlignedView serving() const {
     return {part != nullptr ? part : aligned.view, aligned.T_world_sensor};
@@ -91,8 +101,7 @@ class TrackedScan {
   void add(IncomingView incoming, const registration::Alignment& alignment);
   /// Largest usual RMS distance of crossings in this scan; at a wrong pose it is several times
   /// larger. Infinite until enough views were aligned.
-  /// @param spread  times the median
-  [[nodiscard]] double usual_rms_mm(double spread = 2.0) const;
+  [[nodiscard]] double usual_rms_mm() const;
   [[nodiscard]] SurfaceHold surface_hold() const;
   /// True if the view comes so soon after the last that its pose can be predicted.
   [[nodiscard]] bool continues(double time_s) const;
@@ -101,14 +110,18 @@ class TrackedScan {
   void set_edits(const editing::EditFilter& edits);
   /// Drops the points of a view. It keeps its pose, but no view is registered to it any more.
   void retire(std::size_t i);
-  /// Takes other points for view i, which keeps its pose. Not together with edits.
-  void replace(std::size_t i, std::shared_ptr<const View> view);
+  /// The view as a global shutter would have seen it from this pose on the path. Does nothing if
+  /// the shutter is one.
+  void correct(IncomingView& incoming, const Isometry& T_world_sensor) const;
+  /// Corrects all views again, by their present poses and those before and after them.
+  void correct_all();
   /// Changes the pose of view i.
   void move(std::size_t i, const Isometry& T_world_sensor);
 
   /// Finds the pose of the next view in time: starts at the predicted pose, registers to the latest
   /// views, then to the metaview. If this fails, tries the other guesses of the trajectory.
-  [[nodiscard]] registration::Alignment track(const IncomingView& incoming) const;
+  /// @param incoming  corrected for a rolling shutter
+  [[nodiscard]] registration::Alignment track(IncomingView& incoming) const;
   /// Finds a pose near a start pose, without a prediction. The start may be wrong by a sixth of the
   /// radius.
   [[nodiscard]] registration::Alignment locate(const IncomingView& incoming,
@@ -125,6 +138,17 @@ class TrackedScan {
       const IncomingView& incoming, const Isometry& T_world_sensor, std::size_t skip_view) const;
 
  private:
+  /// As track(), without a correction.
+  [[nodiscard]] registration::Alignment track_as_it_is(const IncomingView& incoming) const;
+  void correct_again(std::size_t i);
+  [[nodiscard]] registration::Alignment track_corrected(IncomingView& incoming,
+                                                        Isometry T_world_sensor) const;
+  /// Where the hand may be at a later time, by its latest motion: unlike a careful prediction of
+  /// the pose, each one tells a velocity. The likeliest first.
+  [[nodiscard]] std::vector<Isometry> moved_on(double time_s) const;
+  /// `spread` times the median of the latest views that the surface placed, plus a share of the
+  /// radius.
+  [[nodiscard]] double usual_rms_mm(double spread, double least_share) const;
   /// Finds the pose of a view that the surface alone does not determine.
   [[nodiscard]] registration::Alignment hold(const IncomingView& incoming) const;
   /// One attempt of track().

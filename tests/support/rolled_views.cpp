@@ -8,13 +8,13 @@
 
 namespace flytri::testing {
 
-refinement::RowShare camera_rows() {
+trajectory::RowShare camera_rows() {
   static const calibration::Calibration kCalibration = camera_calibration();
   return reconstruct::row_share_of(kCalibration);
 }
 
 std::vector<AlignedView> rolled(std::vector<AlignedView> views, double readout_s) {
-  const refinement::RowShare row_share = camera_rows();
+  const trajectory::RowShare row_share = camera_rows();
   std::vector<Isometry> poses;
   for (const AlignedView& view : views) poses.push_back(view.T_world_sensor);
   const std::vector<Twist> velocities = refinement::velocities_of(views, poses);

@@ -9,7 +9,7 @@
 namespace flytri::testing {
 
 /// The rows of camera_calibration().
-[[nodiscard]] refinement::RowShare camera_rows();
+[[nodiscard]] trajectory::RowShare camera_rows();
 
 /// The views as such a camera sees them.
 /// @param views  with their true poses and points

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/support/moved_light.h"
+#include "tests/support/rolled_views.h"
 #include "tests/support/scan_scene.h"
 
 namespace flytri::reconstruct {
@@ -61,6 +62,36 @@ TEST(RecoverViews, LeaveAGlobalShutterAsItIs) {
     EXPECT_EQ((*recovered)[i].fate, registered.settled[i].fate);
     EXPECT_EQ((*recovered)[i].T_world_sensor.matrix(),
               registered.settled[i].T_world_sensor.matrix());
+  }
+}
+
+TEST(RecoverViews, BeginAnewWithTheReadoutThatTheConnectedOnesShow) {
+  const auto truth = fast_scan();
+  const auto views = testing::rolled(truth, 0.012);
+  for (const auto world : {Registrar::World::kFirstView, Registrar::World::kUnchanged}) {
+    Registered registered = register_all(views);
+    const std::size_t before = count_registered(registered.settled);
+    ASSERT_LT(before, views.size() - 2);
+    const auto recovered =
+        recover_views(registered.registrar, registered.settled, testing::camera_calibration(),
+                      {{}, world}, Workers(2), {});
+    ASSERT_TRUE(recovered);
+    EXPECT_GT(count_registered(*recovered), before);
+    EXPECT_GE(count_registered(*recovered), views.size() - 2);
+    std::vector<AlignedView> found;
+    double farthest_mm = 0.0;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      EXPECT_EQ((*recovered)[i].view, views[i].view);
+      const auto& was = registered.settled[i];
+      if (was.fate != tracking::ViewFate::kRegistered) continue;
+      farthest_mm = std::max(
+          farthest_mm,
+          (was.T_world_sensor.inverse() * (*recovered)[i].T_world_sensor).translation().norm());
+    }
+    // The scan goes on in its own frame, knowing the shutter.
+    if (world == Registrar::World::kUnchanged) EXPECT_LT(farthest_mm, 0.5);
+    EXPECT_TRUE(registered.registrar.options().track.shutter.is_rolling());
+    EXPECT_EQ(registered.registrar.aligned_views().size(), count_registered(*recovered));
   }
 }
 

@@ -33,7 +33,7 @@ FinishedScan finish(std::vector<AlignedView> views, bool corrects) {
 }
 
 TEST(RowShare, IsHalfAReadoutAtTheEndsOfTheImage) {
-  const refinement::RowShare share = row_share_of(row_calibration());
+  const trajectory::RowShare share = row_share_of(row_calibration());
   const auto& size = row_calibration().measurement_size;
   // 0.1 mm for a pixel, whose center has a whole number.
   const double half_mm = 0.05 * size.height_px;

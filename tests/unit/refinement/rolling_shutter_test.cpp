@@ -26,11 +26,11 @@ TEST(SeenLate, DerivativeIsThatOfThePosition) {
   velocity << 0.4, -0.7, 0.2, 12.0, -9.0, 5.0;
   const Vec3 p_mm(4.0, -6.0, 3.0);
   constexpr double kLate_s = 0.01, kStep_s = 1e-5;
-  const Vec3 difference = (seen_late(velocity, kLate_s + kStep_s, p_mm) -
-                           seen_late(velocity, kLate_s - kStep_s, p_mm)) /
+  const Vec3 difference = (trajectory::seen_late(velocity, kLate_s + kStep_s, p_mm) -
+                           trajectory::seen_late(velocity, kLate_s - kStep_s, p_mm)) /
                           (2.0 * kStep_s);
-  const Vec3 derivative =
-      seen_late_derivative(velocity, kLate_s, seen_late(velocity, kLate_s, p_mm));
+  const Vec3 derivative = trajectory::seen_late_derivative(
+      velocity, kLate_s, trajectory::seen_late(velocity, kLate_s, p_mm));
   EXPECT_LT((difference - derivative).norm(), 1e-6);
   EXPECT_GT(derivative.norm(), 10.0);
 }
@@ -62,6 +62,18 @@ TEST_P(EstimateReadout, ReadoutIsFound) {
 
 /// Also with the last row first.
 INSTANTIATE_TEST_SUITE_P(Readouts, EstimateReadout, ::testing::Values(-0.02, 0.008, 0.015, 0.03));
+
+TEST(RefineWithReadout, FindsItFromAFarStart) {
+  const auto truth = scan_cusps(80, SceneSensor{}, 8, 1.0).views;
+  auto unaware = testing::with_drift(rolled(truth, 0.02), 0.1, 3);
+  ASSERT_TRUE(refine_jointly(unaware, {}, Workers(2), {}));
+  for (const double start_s : {0.004, 0.012, 0.03}) {
+    auto views = unaware;
+    Readout readout{start_s, 0.0};
+    ASSERT_TRUE(refine_with_readout(views, readout, camera_rows(), {}, Workers(2), {}));
+    EXPECT_NEAR(readout.readout_s, 0.02, 5e-4) << "from " << start_s;
+  }
+}
 
 TEST(EstimateReadout, GlobalShutterHasNoReadout) {
   for (const std::uint64_t seed : {4, 5}) {
