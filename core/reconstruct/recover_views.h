@@ -24,8 +24,7 @@ struct RecoverOptions {
 /// @param settled    the result of finish()
 /// @param progress   advanced by one step
 /// @return  as finish(), with the views as measured; `settled` itself if enough views are
-/// connected,
-///          if the shutter is a global one, or if it was known before
+///          connected, if the shutter is a global one, or if it was known before
 /// @errors  kBadOption, kCancelled
 [[nodiscard]] Result<std::vector<tracking::RegisteredView>> recover_views(
     tracking::Registrar& registrar, std::vector<tracking::RegisteredView> settled,
