@@ -62,7 +62,7 @@ std::size_t count_registered(const std::vector<tracking::RegisteredView>& views)
   }));
 }
 
-/// From a view in the middle that both know.
+/// Frame of `to` from that of `from`, by a view in the middle that both know.
 std::optional<Isometry> frame_change(const std::vector<tracking::RegisteredView>& from,
                                      const std::vector<tracking::RegisteredView>& to) {
   std::vector<std::size_t> known;
@@ -76,7 +76,8 @@ std::optional<Isometry> frame_change(const std::vector<tracking::RegisteredView>
   return to[i].T_world_sensor * from[i].T_world_sensor.inverse();
 }
 
-/// Begins anew, knowing the shutter. None, and no change of the registrar: no more views fit.
+/// Registers all views from the first on, with a known shutter. Returns nothing, and leaves the
+/// registrar as it is, if this finds no more views.
 std::optional<std::vector<tracking::RegisteredView>> register_again(
     tracking::Registrar& registrar, const std::vector<tracking::RegisteredView>& settled,
     const trajectory::Shutter& shutter, tracking::Registrar::World world,
@@ -110,7 +111,7 @@ Result<std::vector<tracking::RegisteredView>> recover_views(
     tracking::Registrar& registrar, std::vector<tracking::RegisteredView> settled,
     const calibration::Calibration& calibration, const RecoverOptions& options,
     const Workers& workers, const Progress& progress) {
-  // Views that showed nothing new have given their points away.
+  // Retired views have no points any more, so they cannot be registered again.
   const bool is_whole =
       std::none_of(settled.begin(), settled.end(), [](const tracking::RegisteredView& view) {
         return view.fate == tracking::ViewFate::kRegistered && view.view->profiles.empty();

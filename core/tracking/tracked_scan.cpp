@@ -31,13 +31,13 @@ constexpr int kHeldPairs = 2000;
 constexpr std::size_t kFirstViews = 8;
 /// The first view is where it is.
 constexpr double kFirstSigma_mm = 1e-3;
-/// Small relief fits in a wrong place, too, but not as well: limit of its fit, as that of a usual
-/// one. Views on one another drift, and their fit gets worse by some percent from one to the next.
+/// Small relief fits in a wrong place, too, but not as well: limit of the fit of a held view, see
+/// usual_rms_mm(). Held views in a row drift, and each fits some percent worse than the one before.
 constexpr double kHeldSpread = 1.15;
 constexpr double kLeastHeldRmsShare = 0.0001;
-/// Corrections of a view for a rolling shutter, the last if the pose that was found was not good.
+/// Most corrections of a view for a rolling shutter. The last is for a pose that did not fit well.
 constexpr int kCorrections = 3;
-/// Latest views of which a new pose tells more.
+/// Latest views whose motion a new pose shows more exactly.
 constexpr std::size_t kCorrectedAgain = 3;
 /// After so many time steps the pose cannot be predicted.
 constexpr double kPredictableSteps = 5.5;
@@ -125,7 +125,7 @@ void TrackedScan::add(IncomingView incoming, const registration::Alignment& alig
   add(std::move(incoming), alignment.T_target_source, alignment.uncertainty_mm);
   if (!alignment.is_held) rms_mm_.push_back(alignment.rms_mm);
   if (!options_.shutter.is_rolling()) return;
-  // The new pose tells more of the motion at the poses before.
+  // The new pose shows the motion at the poses before more exactly.
   for (std::size_t i = views_.size() - std::min(views_.size(), kCorrectedAgain); i < views_.size();
        ++i)
     correct_again(i);
@@ -261,7 +261,7 @@ registration::Alignment TrackedScan::track_corrected(IncomingView& incoming,
     const bool was_aligned = result.aligned();
     result = track_as_it_is(incoming);
     if (was_aligned) break;
-    // A pose that does not fit well tells the motion better than none.
+    // Even a pose that does not fit well shows the motion better than none.
     if (!result.aligned() && result.outcome != registration::AlignOutcome::kPoorFit) break;
     T_world_sensor = result.T_target_source;
   }

@@ -110,8 +110,7 @@ class TrackedScan {
   void set_edits(const editing::EditFilter& edits);
   /// Drops the points of a view. It keeps its pose, but no view is registered to it any more.
   void retire(std::size_t i);
-  /// The view as a global shutter would have seen it from this pose on the path. Does nothing if
-  /// the shutter is one.
+  /// Corrects a view for a rolling shutter, by the motion that the path has at this pose.
   void correct(IncomingView& incoming, const Isometry& T_world_sensor) const;
   /// Corrects all views again, by their present poses and those before and after them.
   void correct_all();
@@ -143,8 +142,8 @@ class TrackedScan {
   void correct_again(std::size_t i);
   [[nodiscard]] registration::Alignment track_corrected(IncomingView& incoming,
                                                         Isometry T_world_sensor) const;
-  /// Where the hand may be at a later time, by its latest motion: unlike a careful prediction of
-  /// the pose, each one tells a velocity. The likeliest first.
+  /// Where the hand may be at a later time, the likeliest first: it goes on as in the latest poses.
+  /// Trajectory::predict() may leave it at rest, which would tell a wrong velocity.
   [[nodiscard]] std::vector<Isometry> moved_on(double time_s) const;
   /// `spread` times the median of the latest views that the surface placed, plus a share of the
   /// radius.
