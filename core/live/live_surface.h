@@ -66,8 +66,8 @@ struct LiveSurfaceOptions {
 /// milliseconds, and the result is bit for bit the surface built anew from all views.
 ///
 /// The camera sees a point only if nothing is in between. A surfel that rays of several views cross
-/// is hidden until its place is measured again. So are the surfels of a small cube if several views
-/// light it and see nothing there. What is locked is never hidden.
+/// is hidden until its place is measured again. A small cube is hidden, too, if several views light
+/// it but see nothing there. What is locked is never hidden.
 /// @source  Arold et al., "Data Reduction" and "Calculation of Normals"; the paper leaves data
 /// reduction during the scan to future work.
 class LiveSurface {

@@ -16,9 +16,8 @@ struct RecoverOptions {
   tracking::Registrar::World world = tracking::Registrar::World::kFirstView;
 };
 
-/// With a rolling shutter and a fast hand, views are distorted so much that some do not fit the
-/// others. The readout shows in the views that do fit. With it all views are registered again, from
-/// the first on, each corrected by the motion of the hand.
+/// A rolling shutter and a fast hand distort views so much that some do not fit the others. Finds
+/// the readout from those that fit. Then corrects and registers all views again.
 ///
 /// @param registrar  after finish(), without edits; replaced if that finds more views
 /// @param settled    the result of finish()

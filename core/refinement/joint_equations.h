@@ -40,7 +40,7 @@ struct FittedSurfaces {
 using SharedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
 using SharedMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
-/// The share of one cell and one view in a group's equations. The cell's surface is eliminated.
+/// What one cell adds to the equations of a group by one view, after its surface is eliminated.
 /// S: derivatives of the residuals by the group's unknowns. Other letters: see CellViewBlock.
 struct CellSharedShare {
   std::size_t group = 0;

@@ -16,7 +16,8 @@ namespace {
 
 /// A step must not raise the robust spread by more than this.
 constexpr double kMaxWorsening = 1.02;
-/// While the readout still changes: the data move, and some leave the cells in which they fitted.
+/// The same while the readout still changes. This moves the points, so the spread may rise at
+/// first.
 constexpr double kMaxUnsettledWorsening = 1.2;
 /// Shares of time: of a step in the remaining time (the number of steps is unknown); of the
 /// surfaces in a step; of the sums in the pose update.

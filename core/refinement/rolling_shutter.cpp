@@ -14,8 +14,6 @@ namespace {
 constexpr double kLongReadout_s = 3e-3;
 /// An estimate this many times its uncertainty is sure: the data of a scan are not independent.
 constexpr double kSureSigmas = 8.0;
-/// Longest time between two views over which the velocity of the sensor is interpolated.
-constexpr double kMotionGap_s = 0.15;
 
 }  // namespace
 
@@ -32,7 +30,7 @@ std::vector<Twist> velocities_of(std::span<const AlignedView> views,
     path.push_back({views[v].view->time_s, poses[v]});
     on_path.push_back(v);
   }
-  const std::vector<Twist> of_path = trajectory::sensor_velocities(path, kMotionGap_s);
+  const std::vector<Twist> of_path = trajectory::sensor_velocities(path);
   std::vector<Twist> velocities(views.size(), Twist::Zero());
   for (std::size_t i = 0; i < on_path.size(); ++i) velocities[on_path[i]] = of_path[i];
   return velocities;

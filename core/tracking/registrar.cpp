@@ -368,31 +368,26 @@ void Registrar::apply(std::span<const AlignedView> refined) {
 }
 
 std::vector<AlignedView> Registrar::aligned_views() const {
-  std::vector<AlignedView> result;
-  if (submaps_.empty()) return result;
-  for (const TrackedView& view : submaps_[scan_]->views()) {
-    if (!view.aligned.view->profiles.empty()) result.push_back(view.aligned);
-  }
-  sort_by_time(result);
-  return result;
+  return views_with_points([](const TrackedView& view) { return view.aligned; });
 }
 
 std::vector<AlignedView> Registrar::measured_views() const {
-  std::vector<AlignedView> result;
-  if (submaps_.empty()) return result;
-  for (const TrackedView& view : submaps_[scan_]->views()) {
-    if (!view.aligned.view->profiles.empty())
-      result.push_back({view.as_measured(), view.aligned.T_world_sensor});
-  }
-  sort_by_time(result);
-  return result;
+  return views_with_points([](const TrackedView& view) {
+    return AlignedView{view.as_measured(), view.aligned.T_world_sensor};
+  });
 }
 
 std::vector<AlignedView> Registrar::serving_views() const {
+  return views_with_points([](const TrackedView& view) { return view.serving(); });
+}
+
+template <typename Form>
+std::vector<AlignedView> Registrar::views_with_points(const Form& form) const {
   std::vector<AlignedView> result;
   if (submaps_.empty()) return result;
-  for (const TrackedView& view : submaps_[scan_]->views()) {
-    if (!view.serving().view->profiles.empty()) result.push_back(view.serving());
+  for (const TrackedView& tracked : submaps_[scan_]->views()) {
+    AlignedView view = form(tracked);
+    if (!view.view->profiles.empty()) result.push_back(std::move(view));
   }
   sort_by_time(result);
   return result;

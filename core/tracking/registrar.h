@@ -184,6 +184,9 @@ class Registrar {
     Isometry T_scan_sensor = Isometry::Identity();
   };
 
+  /// The views of the scan in this form, by rising time; those without points are left out.
+  template <typename Form>
+  [[nodiscard]] std::vector<AlignedView> views_with_points(const Form& form) const;
   RegisteredView take(const std::shared_ptr<const View>& view, bool may_register);
   RejectReason register_view(IncomingView incoming);
   RejectReason track_lost(IncomingView incoming, RejectReason reason, bool search);

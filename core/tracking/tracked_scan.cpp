@@ -31,11 +31,11 @@ constexpr int kHeldPairs = 2000;
 constexpr std::size_t kFirstViews = 8;
 /// The first view is where it is.
 constexpr double kFirstSigma_mm = 1e-3;
-/// Small relief fits in a wrong place, too, but not as well: limit of the fit of a held view, see
-/// usual_rms_mm(). Held views in a row drift, and each fits some percent worse than the one before.
+/// A held view must fit almost as well as the others, see usual_rms_mm(). In a wrong place, small
+/// relief fits a little worse. If several held views drift, each fits worse than the one before.
 constexpr double kHeldSpread = 1.15;
 constexpr double kLeastHeldRmsShare = 0.0001;
-/// Most corrections of a view for a rolling shutter. The last is for a pose that did not fit well.
+/// A view of a rolling shutter is corrected so often; the last time only after a poor fit.
 constexpr int kCorrections = 3;
 /// Latest views whose motion a new pose shows more exactly.
 constexpr std::size_t kCorrectedAgain = 3;

@@ -142,8 +142,8 @@ class TrackedScan {
   void correct_again(std::size_t i);
   [[nodiscard]] registration::Alignment track_corrected(IncomingView& incoming,
                                                         Isometry T_world_sensor) const;
-  /// Where the hand may be at a later time, the likeliest first: it goes on as in the latest poses.
-  /// Trajectory::predict() may leave it at rest, which would tell a wrong velocity.
+  /// Poses at a later time if the hand moves on as before, the likeliest first.
+  /// Trajectory::predict() may give the last pose again, from which no velocity follows.
   [[nodiscard]] std::vector<Isometry> moved_on(double time_s) const;
   /// `spread` times the median of the latest views that the surface placed, plus a share of the
   /// radius.

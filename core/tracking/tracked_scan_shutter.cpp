@@ -7,9 +7,8 @@
 namespace flytri::tracking {
 namespace {
 
-/// Poses on each side that tell how the hand moves at a pose, and the longest time between two.
-constexpr int kMotionPoses = 2;
-constexpr double kMotionGap_s = 0.15;
+/// Poses on each side that tell how the hand moves at a pose.
+constexpr std::size_t kMotionPoses = 2;
 
 /// Velocity of the sensor at a pose, which may be on the path already.
 Twist velocity_at(const trajectory::Trajectory& path, double time_s,
@@ -21,7 +20,7 @@ Twist velocity_at(const trajectory::Trajectory& path, double time_s,
   poses.push_back({time_s, T_world_sensor});
   for (const trajectory::TimedPose& after : path.after(time_s, kMotionPoses))
     poses.push_back(after);
-  return trajectory::sensor_velocities(poses, kMotionGap_s)[at];
+  return trajectory::sensor_velocity(poses, at);
 }
 
 }  // namespace

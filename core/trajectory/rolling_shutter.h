@@ -1,5 +1,4 @@
-/// @file  A rolling shutter sees points before or after the time of their view: moves them to where
-///        they were at that time.
+/// @file  Moves the points that a rolling shutter saw to where they were at the time of the view.
 #pragma once
 
 #include <functional>
@@ -9,14 +8,14 @@
 
 namespace flytri::trajectory {
 
-/// Time from the middle row of the image to the row in which a point was seen, as a share of the
-/// readout: -0.5 for the first row, 0.5 for the last.
+/// When a point was seen, by its image row: -0.5 first row, 0 middle row, 0.5 last row. In units of
+/// the readout.
 /// @param p_mm  the point as measured, sensor frame
 using RowShare = std::function<double(const Vec3& p_mm)>;
 
 /// How a camera exposes the rows of its image.
 struct Shutter {
-  /// Delay of the last row after the first, s; < 0: the last row comes first; 0: a global shutter.
+  /// Delay of the last row after the first, s. Negative if the last row comes first. 0: global.
   double readout_s = 0.0;
   RowShare row_share = nullptr;  ///< must be set for a rolling shutter
 

@@ -34,18 +34,21 @@ Twist velocity_at(std::span<const TimedPose> poses, std::size_t middle) {
 
 }  // namespace
 
+Twist sensor_velocity(std::span<const TimedPose> path, std::size_t i, double max_gap_s) {
+  std::size_t first = i, last = i;
+  while (i - first < kReach && first > 0 &&
+         path[first].time_s - path[first - 1].time_s <= max_gap_s)
+    --first;
+  while (last - i < kReach && last + 1 < path.size() &&
+         path[last + 1].time_s - path[last].time_s <= max_gap_s)
+    ++last;
+  return velocity_at(path.subspan(first, last - first + 1), i - first);
+}
+
 std::vector<Twist> sensor_velocities(std::span<const TimedPose> path, double max_gap_s) {
   std::vector<Twist> velocities;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    std::size_t first = i, last = i;
-    while (i - first < kReach && first > 0 &&
-           path[first].time_s - path[first - 1].time_s <= max_gap_s)
-      --first;
-    while (last - i < kReach && last + 1 < path.size() &&
-           path[last + 1].time_s - path[last].time_s <= max_gap_s)
-      ++last;
-    velocities.push_back(velocity_at(path.subspan(first, last - first + 1), i - first));
-  }
+  for (std::size_t i = 0; i < path.size(); ++i)
+    velocities.push_back(sensor_velocity(path, i, max_gap_s));
   return velocities;
 }
 

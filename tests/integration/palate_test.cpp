@@ -8,7 +8,7 @@
 namespace flytri::lab {
 namespace {
 
-/// Scans that end over the smooth part of a palate, where only the motion of the hand holds views.
+/// Scans that end over the smooth part of a palate. The surface there does not fix the poses.
 class Palate : public ::testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(Palate, ViewsThatTheMotionHoldsDoNotDrift) {
