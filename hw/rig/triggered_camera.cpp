@@ -8,6 +8,9 @@ namespace {
 
 /// Longest time from a trigger to its image: exposure, readout, transfer and a busy computer.
 constexpr double kPatience_s = 0.5;
+/// No image comes for so long: those of earlier exposures have arrived. If one is later still, the
+/// delays show it.
+constexpr double kQuiet_s = 0.2;
 /// Images of triggers are as late as each other, but for this share of a period.
 constexpr double kDelaySpread = 0.4;
 /// Weight of the latest image in the delay, which may change slowly.
@@ -20,6 +23,7 @@ Result<void> TriggeredCamera::start() {
   damaged_ = streams_ = 0;
   unanswered_ = 0;
   begin_anew();
+  awaits_quiet_ = false;
   return camera_->start();
 }
 
@@ -27,18 +31,38 @@ void TriggeredCamera::begin_anew() {
   waiting_.clear();
   first_.reset();
   agreeing_ = 0;
+  single_s_.reset();
+  next_single_s_ = 0.0;
+  awaits_quiet_ = true;
 }
 
 bool TriggeredCamera::takes_trigger(double now_s) {
-  if (waiting_.empty()) return true;
+  if (std::exchange(awaits_quiet_, false)) next_single_s_ = now_s + kQuiet_s;
+  if (waiting_.empty()) return is_in_step() || now_s >= next_single_s_;
   if (now_s - waiting_.front().time_s < kPatience_s) return is_in_step();
   ++unanswered_;
   begin_anew();
+  awaits_quiet_ = false;
   return true;
 }
 
 void TriggeredCamera::triggered(device::Light light, double time_s) {
   waiting_.push_back({count_++, light, time_s});
+  if (is_in_step()) return;
+  if (single_s_) next_single_s_ = time_s + (time_s - *single_s_) + period_s_;
+  single_s_ = time_s;
+}
+
+/// Takes the image for that of the single trigger before it.
+void TriggeredCamera::learn_from(const device::CameraFrame& frame, const Trigger& single) {
+  const std::int64_t first = frame.sequence - single.number;
+  const double delay_s = frame.time_s - single.time_s;
+  unanswered_ = 0;
+  if (first_ && (first_ != first || std::abs(delay_s - delay_s_) > kDelaySpread * period_s_))
+    return begin_anew();
+  first_ = first;
+  delay_s_ = delay_s;
+  ++agreeing_;
 }
 
 /// The trigger of an image, if it is certain.
@@ -51,13 +75,7 @@ std::optional<TriggeredCamera::Trigger> TriggeredCamera::trigger_of(
   if (!is_in_step()) {
     const Trigger single = waiting_.front();
     waiting_.clear();
-    const std::int64_t first = frame.sequence - single.number;
-    const double delay_s = frame.time_s - single.time_s;
-    const bool agrees = first_ == first && std::abs(delay_s - delay_s_) < kDelaySpread * period_s_;
-    first_ = first;
-    delay_s_ = delay_s;
-    agreeing_ = agrees ? agreeing_ + 1 : 1;
-    unanswered_ = 0;
+    learn_from(frame, single);
     return std::nullopt;
   }
   while (!waiting_.empty() && *first_ + waiting_.front().number < frame.sequence)

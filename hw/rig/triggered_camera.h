@@ -19,10 +19,12 @@ struct TriggeredImage {
 };
 
 /// Finds the trigger of each image. At first one trigger at a time waits for its image: three such
-/// images show how the camera numbers them and how late they are. After that, triggers need not
-/// wait: an image belongs to the trigger with its number. An image with another delay means that
-/// the camera missed a trigger or was restarted. Then this starts again with one at a time, and no
-/// image has a label until it is done. Not thread-safe.
+/// images show how the camera numbers them and how late they are. The time between these triggers
+/// grows, so that images of earlier exposures, each taken for that of the next trigger, would not
+/// be equally late. After that, triggers need not wait: an image belongs to the trigger with its
+/// number. An image with another delay means that the camera missed a trigger or was restarted.
+/// Then this waits for the images on their way, and starts again with one at a time; no image has a
+/// label until it is done. Not thread-safe.
 class TriggeredCamera {
  public:
   /// @param period_s  > 0, least time from one trigger to the next
@@ -42,7 +44,7 @@ class TriggeredCamera {
   /// @return  nothing if there is none yet, or its light is not known
   /// @errors  As Camera::next.
   [[nodiscard]] Result<std::optional<TriggeredImage>> next(double timeout_s);
-  /// Forgets the triggers so far, and starts with single ones.
+  /// Forgets the triggers so far, and starts with single ones once no more images come.
   void begin_anew();
 
   [[nodiscard]] bool is_in_step() const { return first_ && agreeing_ >= kProbes; }
@@ -58,6 +60,7 @@ class TriggeredCamera {
     double time_s = 0.0;
   };
   [[nodiscard]] std::optional<Trigger> trigger_of(const device::CameraFrame& frame);
+  void learn_from(const device::CameraFrame& frame, const Trigger& single);
 
   std::shared_ptr<device::Camera> camera_;
   double period_s_;
@@ -66,6 +69,9 @@ class TriggeredCamera {
   std::optional<std::int64_t> first_;  // the camera's number of the image of trigger 0
   double delay_s_ = 0.0;               // from a trigger to the stamp of its image
   int agreeing_ = 0;                   // single triggers whose images agree
+  std::optional<double> single_s_;     // time of the latest single trigger
+  double next_single_s_ = 0.0;         // not before
+  bool awaits_quiet_ = false;          // images of earlier exposures may be on their way
   int unanswered_ = 0;                 // single triggers in a row without an image
   std::int64_t streams_ = 0;           // starts of the camera's stream
   sync::LabelCounts labels_;
