@@ -8,6 +8,7 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "app/cli/commands.h"
@@ -29,6 +30,7 @@ namespace {
 struct BenchArguments {
   session::SourceChoice source;
   double duration_s = 60.0;
+  std::optional<double> pause_s;  ///< none: the scan is not finished
   bool scene = true;
   std::filesystem::path output;
   bool force = false;
@@ -66,6 +68,9 @@ class Bench {
   /// Waits for the first frame; the source may be calibrated before.
   bool wait_for_source();
   void run(double duration_s);
+  /// Pauses the scan, and finishes it after this time.
+  /// @errors  kInsufficient: it could not be finished.
+  Result<void> finish(double pause_s);
   [[nodiscard]] nlohmann::json report() const;
   void print() const;
 
@@ -80,6 +85,7 @@ class Bench {
   std::vector<Sample> samples_;
   double newest_shown_s_ = 0.0;
   double started_s_ = 0.0, ended_s_ = 0.0, processor_s_ = 0.0;
+  std::optional<double> pause_s_, finish_s_;  ///< before Finish; from then until the model is shown
   scan::FrameCounts first_, last_;
   std::int64_t dropped_at_source_ = 0;
 };
@@ -135,6 +141,25 @@ void Bench::run(double duration_s) {
   take_sample(*session_.scan()->snapshot());
 }
 
+Result<void> Bench::finish(double pause_s) {
+  pause_s_ = pause_s;
+  session_.carry_out(ui::PauseScan{});
+  const double paused_s = session_.now_s();
+  while (session_.now_s() < paused_s + pause_s && frame()) {
+  }
+  const auto now = [this] { return session_.scan()->snapshot(); };
+  if (now()->model.empty()) return fail(ErrorCode::kInsufficient, "nothing was scanned");
+  session_.carry_out(ui::Finish{});
+  const double asked_s = session_.now_s();
+  while (now()->result == nullptr && now()->failure.empty() && frame()) {
+  }
+  if (now()->result == nullptr)
+    return fail(ErrorCode::kInsufficient, "the scan was not finished: {}", now()->failure);
+  frame();
+  finish_s_ = session_.now_s() - asked_s;
+  return {};
+}
+
 /// Median, 95 % and largest, in ms.
 std::vector<double> spread_ms(std::vector<double> values_s) {
   if (values_s.empty()) return {0.0, 0.0, 0.0};
@@ -159,6 +184,10 @@ nlohmann::json Bench::report() const {
                          {"latency_ms", spread_ms(latencies_s_)},
                          {"frame_time_ms", spread_ms(frame_times_s_)},
                          {"processor_share", processor_s_ / duration_s}};
+  if (finish_s_) {
+    json["pause_s"] = *pause_s_;
+    json["finish_s"] = *finish_s_;
+  }
   for (const Sample& sample : samples_) {
     json["over_time"].push_back({{"time_s", sample.time_s},
                                  {"resident_mib", sample.resident_mib},
@@ -186,6 +215,8 @@ void Bench::print() const {
   fmt::print("frame time          median {:.0f} ms, 95 % {:.0f} ms, largest {:.0f} ms\n",
              frame_time[0], frame_time[1], frame_time[2]);
   fmt::print("processor           {:.2f} cores\n", json["processor_share"].get<double>());
+  if (finish_s_)
+    fmt::print("Finish to model     {:.1f} s, after a pause of {:.0f} s\n", *finish_s_, *pause_s_);
   fmt::print("\n{:>8} {:>10} {:>10} {:>10} {:>8} {:>8}\n", "time s", "MiB", "surfels", "registered",
              "lost", "rejected");
   for (const Sample& sample : samples_) {
@@ -257,6 +288,10 @@ Result<nlohmann::json> run_live(const BenchArguments& arguments, ui::AppWindow& 
                 session.view().source.message);
   }
   bench.run(arguments.duration_s);
+  if (arguments.pause_s) {
+    if (auto finished = bench.finish(*arguments.pause_s); !finished)
+      return tl::unexpected(finished.error());
+  }
   bench.print();
   return bench.report();
 }
@@ -294,6 +329,9 @@ void add_live_command(CLI::App& lab, cli::Invocation& invocation) {
   live->add_option("--duration", arguments->duration_s, "Length of the scan in seconds")
       ->check(CLI::Range(1.0, 36000.0))
       ->capture_default_str();
+  live->add_option("--finish-after", arguments->pause_s,
+                   "Then pause for so many seconds, finish, and measure how long that takes")
+      ->check(CLI::Range(0.0, 3600.0));
   cli::add_source_options(*live, arguments->source);
   live->add_flag("!--no-scene", arguments->scene,
                  "Do not measure frame times with 50,000 to 1,000,000 surfels");

@@ -76,7 +76,7 @@ void Session::carry_out(const ui::Command& command) {
                 scan() != nullptr && !stages_.is_started() && scan()->snapshot()->model.empty();
             start(is_new);
           },
-          [&](const ui::PauseScan&) { stages_.pause(); },
+          [&](const ui::PauseScan&) { pause(); },
           [&](const ui::ResumeScan&) { start(false); },
           [&](const ui::Finish&) { finish(); },
           [&](const ui::CancelFinish&) { stages_.cancel_finish(); },
@@ -143,12 +143,25 @@ void Session::carry_out(const ui::Command& command) {
 void Session::start(bool is_new) {
   if (is_new || source_.state().has_ended) source_.replay();
   stages_.start();
+  finish_ahead();
+}
+
+void Session::pause() {
+  stages_.pause();
+  finish_ahead();
+}
+
+void Session::finish_ahead() {
+  if (source_.calibration() != nullptr) stages_.finish_ahead(close_holes_mm());
 }
 
 void Session::finish() {
-  if (source_.calibration() == nullptr) return;
-  stages_.finish(settings_.close_holes_mm *
-                 calibration::line_distance_factor(source_.calibration()->volume.size_mm));
+  if (source_.calibration() != nullptr) stages_.finish(close_holes_mm());
+}
+
+double Session::close_holes_mm() const {
+  return settings_.close_holes_mm *
+         calibration::line_distance_factor(source_.calibration()->volume.size_mm);
 }
 
 void Session::export_scan(const ui::Export& command) {

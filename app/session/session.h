@@ -62,7 +62,11 @@ class Session {
 
  private:
   void start(bool is_new);
+  void pause();
   void finish();
+  void finish_ahead();
+  /// Of the present sensor, as meshing::MeshOptions.
+  [[nodiscard]] double close_holes_mm() const;
   void export_scan(const ui::Export& command);
   void change_settings(const ui::Settings& settings);
   void use_set_up_sensor();

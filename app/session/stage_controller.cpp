@@ -67,6 +67,10 @@ void StageController::finish(double close_holes_mm) {
   scan()->finish(close_holes_mm);
 }
 
+void StageController::finish_ahead(double close_holes_mm) {
+  if (scan()) scan()->finish_ahead(close_holes_mm);
+}
+
 void StageController::cancel_finish() {
   if (scan()) scan()->cancel_finish();
 }

@@ -29,6 +29,8 @@ class StageController {
   void pause();
   /// @param close_holes_mm  as meshing::MeshOptions
   void finish(double close_holes_mm);
+  /// As scan::LiveScan::finish_ahead, for the current stage.
+  void finish_ahead(double close_holes_mm);
   void cancel_finish();
   void undo();
   void redo();

@@ -1,6 +1,5 @@
 #include "core/scan/growing_scan.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace flytri::scan {
@@ -52,7 +51,9 @@ GrowingScan::GrowingScan(std::shared_ptr<const calibration::Calibration> calibra
       refinement_({options.finish.refinement, options.refine_growth, options.min_refine_views},
                   background_thread_, ask_,
                   [this](const std::vector<AlignedView>& refined) {
-                    if (phase_ != ScanPhase::kFinishing) take_refined(refined);
+                    if (run_.valid()) return;
+                    take_refined(refined);
+                    begin_run_ahead();
                   }),
       model_(std::move(model),
              {board_, background_thread_, options.now_s,
@@ -120,7 +121,10 @@ void GrowingScan::take_texture(const Frame& frame) {
 
 void GrowingScan::take_view(const IntakeResult& result, bool is_late) {
   const double time_s = result.frame.time_s;
-  if (!result.measured || result.measured->outcome != measurement::MeasureOutcome::kMeasured) {
+  const bool is_measured =
+      result.measured && result.measured->outcome == measurement::MeasureOutcome::kMeasured;
+  watch_for_rest(is_measured);
+  if (!is_measured) {
     show_frame(result, nullptr);
     if (!is_scanning(phase_)) return frame_counter_.previewed();
     board_.update([](ScanSnapshot& s) {
@@ -287,7 +291,8 @@ void GrowingScan::step(ScanEvent event, const std::function<void(ScanSnapshot&)>
     }
     if (also) also(s);
   });
-  if (next != ScanPhase::kContinuation) registrar_->expect_entry_at(std::nullopt);
+  if (next != ScanPhase::kContinuation && registrar_ != nullptr)
+    registrar_->expect_entry_at(std::nullopt);
 }
 
 void GrowingScan::show_reentry() {
@@ -306,6 +311,7 @@ void GrowingScan::show_reentry() {
 void GrowingScan::choose_reentry(std::size_t index) {
   const auto now = board_.snapshot();
   if (phase_ != ScanPhase::kContinuation || index >= now->reentry.size()) return;
+  end_run_ahead();
   registrar_->expect_entry_at(now->reentry[index].second.T_world_sensor);
   board_.update([&](ScanSnapshot& s) { s.chosen_reentry = index; });
 }
@@ -317,6 +323,7 @@ void GrowingScan::journal_view(const std::shared_ptr<const View>& view) {
 
 void GrowingScan::start() {
   if (!accepts(phase_, ScanEvent::kStart, has_model())) return;
+  end_run_ahead();
   // Not before: while the user edits, undo and redo need not wait for it.
   registrar_->set_edits(edits_.state());
   step(ScanEvent::kStart);
@@ -325,11 +332,32 @@ void GrowingScan::start() {
 void GrowingScan::pause() {
   if (!accepts(phase_, ScanEvent::kPause, has_model())) return;
   step(ScanEvent::kPause);
-  hand_over_waiting();
-  refinement_.run_if_new(known_views_, [this] { return registrar_->serving_views(); });
-  // A paused model shows the best poses. A running optimization will do the same at its end.
-  if (!refinement_.is_running()) model_.follow(registrar_->aligned_views(), 0.0);
+  come_to_rest();
   model_.look_for_holes();
+}
+
+void GrowingScan::come_to_rest() {
+  hand_over_waiting();
+  if (run_.valid()) return;
+  refinement_.run_if_new(known_views_, [this] { return registrar_->serving_views(); });
+  // A running optimization will do the same at its end.
+  if (refinement_.is_running()) return;
+  // A model at rest shows the best poses.
+  model_.follow(registrar_->aligned_views(), 0.0);
+  begin_run_ahead();
+}
+
+/// The user takes the sensor out of the mouth before asking for the result.
+void GrowingScan::watch_for_rest(bool sees_surface) {
+  constexpr double kAway_s = 2.0;
+  if (sees_surface) {
+    seen_at_s_ = last_time_s_;
+    if (std::exchange(is_away_, false) && is_scanning(phase_)) end_run_ahead();
+  } else if (!is_away_ && phase_ == ScanPhase::kContinuation &&
+             last_time_s_ > seen_at_s_ + kAway_s) {
+    is_away_ = true;
+    come_to_rest();
+  }
 }
 
 void GrowingScan::edit(editing::EditKind kind, std::vector<editing::BrushDab> dabs) {
@@ -350,7 +378,9 @@ void GrowingScan::take_edits() {
   step(ScanEvent::kEdit);
   show_edits();
   model_.set_edits(edits_);
+  end_run_ahead();
   if (is_scanning(phase_)) registrar_->set_edits(edits_.state());
+  begin_run_ahead();
 }
 
 void GrowingScan::show_edits() {
@@ -369,61 +399,6 @@ void GrowingScan::take_refined(const std::vector<AlignedView>& refined) {
   const std::vector<AlignedView> views = registrar_->aligned_views();
   journal([views](ScanJournal& journal) { journal.keep_poses(views); });
   model_.follow(views, is_scanning(phase_) ? kToleratedCells : 0.0);
-}
-
-FinishingWork GrowingScan::finishing_work() const {
-  const auto now = board_.snapshot();
-  // Views that showed nothing new have given their points away.
-  const auto with_points =
-      std::count_if(views_before_finishing_.begin(), views_before_finishing_.end(),
-                    [](const AlignedView& view) { return !view.view->profiles.empty(); });
-  return {static_cast<std::size_t>(now->counts.rejected_count()),
-          static_cast<std::size_t>(with_points), static_cast<std::size_t>(now->counts.textured),
-          now->area_mm2};
-}
-
-void GrowingScan::finish(double close_holes_mm) {
-  if (!accepts(phase_, ScanEvent::kFinish, has_model())) return;
-  views_before_finishing_ = registrar_->measured_views();
-  finishing_.announce_run(finishing_work());
-  step(ScanEvent::kFinish);
-  board_.update([](ScanSnapshot& s) { s.failure.clear(); });
-  // A std::function must be copyable, and the input is not.
-  auto input = std::make_shared<FinishingInput>(FinishingInput{
-      std::move(registrar_), {}, edits_.state(), calibration_, close_holes_mm, held_});
-  model_.with_textures([this, input](const std::vector<PlacedTexture>& placed) {
-    for (const PlacedTexture& texture : placed) input->texture_frames.push_back(texture.frame);
-    finishing_.run(std::move(*input), [this](FinishingOutput output) {
-      auto shared = std::make_shared<FinishingOutput>(std::move(output));
-      ask_([this, shared] { take_output(std::move(*shared)); });
-    });
-  });
-}
-
-void GrowingScan::take_output(FinishingOutput output) {
-  registrar_ = std::move(output.registrar);
-  views_before_finishing_.clear();
-  hand_over_growth(std::nullopt);
-  // Finishing may have joined submaps to the scan.
-  board_.update([&](ScanSnapshot& s) { s.counts = frame_counter_.counts(offered_); });
-  refinement_.discard_run();
-  take_refined(output.finished ? output.finished->views : output.aligned);
-  if (!output.finished) return take_no_result(output.finished.error());
-  take_result(std::move(*output.finished));
-}
-
-void GrowingScan::take_result(reconstruct::FinishedScan finished) {
-  const auto result = std::make_shared<const reconstruct::FinishedScan>(std::move(finished));
-  held_ = result->held;
-  journal([result](ScanJournal& journal) { journal.keep_result(*result); });
-  step(ScanEvent::kResult, [&](ScanSnapshot& s) { s.result = result; });
-  model_.show_holes(result->surface);
-}
-
-void GrowingScan::take_no_result(const Error& why) {
-  const bool cancelled = why.code == ErrorCode::kCancelled;
-  step(ScanEvent::kNoResult, [&](ScanSnapshot& s) { s.failure = cancelled ? "" : why.message; });
-  model_.look_for_holes();
 }
 
 void GrowingScan::keep_in(std::shared_ptr<ScanJournal> to) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <future>
+#include <optional>
 #include <set>
 
 #include "core/base/task_thread.h"
@@ -46,6 +48,7 @@ class GrowingScan {
   void choose_reentry(std::size_t index);
   void keep_in(std::shared_ptr<ScanJournal> journal);
   void finish(double close_holes_mm);
+  void finish_ahead(double close_holes_mm);
 
   // For any thread.
   [[nodiscard]] std::shared_ptr<const ScanSnapshot> snapshot();
@@ -84,15 +87,21 @@ class GrowingScan {
   void show_edits();
   void take_refined(const std::vector<AlignedView>& refined);
   void retire_past();
-  void take_output(FinishingOutput output);
+  void begin_run(double close_holes_mm);
+  void watch_for_rest(bool sees_surface);
+  void come_to_rest();
+  void begin_run_ahead();
+  void end_run_ahead();
+  void take_output();
+  void take_back(FinishingOutput& output);
   /// Of views_before_finishing_.
   [[nodiscard]] FinishingWork finishing_work() const;
-  void take_result(reconstruct::FinishedScan finished);
+  void take_result(std::shared_ptr<const reconstruct::FinishedScan> result);
   void take_no_result(const Error& why);
   void journal(JournalThread::Entry entry) { journal_.write(std::move(entry)); }
   void journal_view(const std::shared_ptr<const View>& view);
   [[nodiscard]] bool has_model() const { return known_views_ > 0; }
-  /// With their points as measured. While finishing: as they were when it began.
+  /// With their points as measured. During a run of finishing: as they were when it began.
   [[nodiscard]] std::vector<AlignedView> measured_views() const {
     return registrar_ != nullptr ? registrar_->measured_views() : views_before_finishing_;
   }
@@ -102,7 +111,7 @@ class GrowingScan {
   const Ask ask_;
   SnapshotBoard board_;
 
-  /// Null while finishing: the finishing thread has it then.
+  /// Null during a run of finishing: the finishing thread has it then.
   std::unique_ptr<tracking::Registrar> registrar_;
   std::vector<AlignedView> views_before_finishing_;
   std::set<FrameIndex> journaled_;  ///< frames whose views the present journal has
@@ -116,8 +125,16 @@ class GrowingScan {
   std::vector<double> redundant_s_;  ///< times of views to retire
   std::size_t known_views_ = 0;      ///< registered
   int missed_in_a_row_ = 0;
+  /// Of the present run of finishing; invalid: there is none.
+  std::future<FinishingOutput> run_;
+  int runs_ = 0;  ///< begun so far
+  /// Close holes of this width in runs ahead; none: no runs ahead.
+  std::optional<double> ahead_mm_;
+  std::shared_ptr<const reconstruct::FinishedScan> ahead_;  ///< what that run has found, or null
   std::int64_t offered_ = 0;
   double last_time_s_ = 0.0, scanned_s_ = 0.0;
+  double seen_at_s_ = 0.0;  ///< when a view was measured last
+  bool is_away_ = false;    ///< the sensor has seen no surface for some seconds
   DistanceGauge distance_;
   calibration::PatternShiftGauge pattern_shift_;
 

@@ -197,6 +197,9 @@ void LiveScan::choose_reentry(std::size_t index) {
 void LiveScan::finish(double close_holes_mm) {
   impl_->ask([this, close_holes_mm] { impl_->scan().finish(close_holes_mm); });
 }
+void LiveScan::finish_ahead(double close_holes_mm) {
+  impl_->ask([this, close_holes_mm] { impl_->scan().finish_ahead(close_holes_mm); });
+}
 void LiveScan::keep_in(std::shared_ptr<ScanJournal> journal) {
   impl_->ask([this, journal = std::move(journal)] { impl_->scan().keep_in(journal); });
 }

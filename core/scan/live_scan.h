@@ -94,6 +94,10 @@ class LiveScan {
   void choose_reentry(std::size_t index);
   /// @param close_holes_mm  as MeshOptions
   void finish(double close_holes_mm = 0.0);
+  /// From now on, whenever the scan is paused, and when the sensor has seen no surface for 2 s,
+  /// does ahead what finish() with this argument will ask for. finish() then has only the rest to
+  /// do.
+  void finish_ahead(double close_holes_mm = 0.0);
   void cancel_finish();
   /// From now on the scan is saved in this journal, with all that was scanned before.
   void keep_in(std::shared_ptr<ScanJournal> journal);
