@@ -232,8 +232,8 @@ ui::AppView Session::view() {
   view.texts = texts_;
   view.notices = notices_.latest();
   const LightNeed need = light_need(view, window_use_);
-  source_.rest(need != LightNeed::kNeeded);
   view.source.waits_for_focus = need == LightNeed::kNoFocus && source_.choice().is_rig();
+  source_.rest(need == LightNeed::kNotNeeded || view.source.waits_for_focus);
   return view;
 }
 

@@ -58,7 +58,7 @@ class Sensor {
   [[nodiscard]] virtual Result<std::optional<Frame>> next(double timeout_s) = 0;
 
   /// Turns the lights off, and stops the frames, while nobody needs them; or turns them on again.
-  /// Thread-safe. A source without lights ignores it.
+  /// Thread-safe. A recording ignores it.
   virtual void rest(bool rests) { (void)rests; }
 
   /// Does background work that must not delay next(), such as decoding ahead or writing to disk.

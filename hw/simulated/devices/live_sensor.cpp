@@ -56,6 +56,7 @@ Result<void> LiveSensor::start() {
     const std::lock_guard lock(mutex_);
     // Requests made before the start apply from the start.
     request_ = Request{mode_, aim_};
+    T_model_sensor_.reset();
     truth_.clear();
   }
   start_s_ = clock_.now_s();
@@ -83,6 +84,11 @@ Result<std::optional<Frame>> LiveSensor::next(double timeout_s) {
   if (latest > slot_) {
     status_.count_dropped(latest - slot_);
     slot_ = latest;
+  }
+  move_hand(slot_);
+  if (rests_) {
+    ++slot_;
+    return std::nullopt;
   }
   Frame frame = take(slot_++);
   status_.count_delivered();
@@ -112,13 +118,20 @@ bool LiveSensor::is_texture(std::int64_t slot) const {
   return static_cast<std::int64_t>(time_s / options_.texture_period_s) > texture_round_;
 }
 
-Frame LiveSensor::take(std::int64_t slot) {
+void LiveSensor::move_hand(std::int64_t slot) {
   apply_request();
+  const double time_s = static_cast<double>(slot) * options_.sensor.frame_period_s;
+  hand_->advance(time_s + 0.5 * options_.sensor.exposure_s);
+  const std::lock_guard lock(mutex_);
+  T_model_sensor_ = hand_->T_model_sensor(time_s);
+  aim_ = hand_->aim();
+}
+
+Frame LiveSensor::take(std::int64_t slot) {
   Frame frame;
   frame.index = FrameIndex(taken_);
   frame.time_s = static_cast<double>(slot) * options_.sensor.frame_period_s;
   const double half_s = 0.5 * options_.sensor.exposure_s;
-  hand_->advance(frame.time_s + half_s);
   const Isometry T_model_sensor = hand_->T_model_sensor(frame.time_s);
   const auto stream = static_cast<std::uint64_t>(taken_++);
   if (is_texture(slot)) {
@@ -138,7 +151,6 @@ Frame LiveSensor::take(std::int64_t slot) {
   }
   const std::lock_guard lock(mutex_);
   truth_.push_back({frame.time_s, T_model_sensor});
-  aim_ = hand_->aim();
   return frame;
 }
 
@@ -178,7 +190,7 @@ std::optional<Vec3> LiveSensor::pick(const Vec3& origin_mm, const Vec3& directio
 
 Isometry LiveSensor::T_model_sensor() const {
   const std::lock_guard lock(mutex_);
-  return truth_.empty() ? path_.T_model_sensor(path_.start_s()) : truth_.back().T_model_sensor;
+  return T_model_sensor_.value_or(path_.T_model_sensor(path_.start_s()));
 }
 
 std::vector<PathPose> LiveSensor::truth() const {

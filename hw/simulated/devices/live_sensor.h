@@ -2,9 +2,11 @@
 /// computed when they are due.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "core/geometry/triangle_mesh.h"
@@ -42,6 +44,8 @@ class LiveSensor final : public device::Sensor, public device::SteerableHand {
   [[nodiscard]] Result<void> start() override;
   void stop() override;
   [[nodiscard]] Result<std::optional<Frame>> next(double timeout_s) override;
+  /// No images are computed meanwhile; the hand moves on.
+  void rest(bool rests) override { rests_ = rests; }
   [[nodiscard]] device::SensorStatus status() const override { return status_.status(); }
   [[nodiscard]] std::shared_ptr<const calibration::Calibration> calibration() const override {
     return calibration_;
@@ -71,6 +75,7 @@ class LiveSensor final : public device::Sensor, public device::SteerableHand {
   [[nodiscard]] double due_s(std::int64_t slot) const;
   [[nodiscard]] bool is_texture(std::int64_t slot) const;
   void apply_request();
+  void move_hand(std::int64_t slot);
   [[nodiscard]] Frame take(std::int64_t slot);
 
   ImageSimulator simulator_;
@@ -79,6 +84,7 @@ class LiveSensor final : public device::Sensor, public device::SteerableHand {
   std::shared_ptr<const calibration::Calibration> calibration_;
   device::Clock clock_;
   device::StatusKeeper status_;
+  std::atomic<bool> rests_ = false;
 
   // Used only by the thread that calls next().
   double start_s_ = 0.0;
@@ -92,6 +98,7 @@ class LiveSensor final : public device::Sensor, public device::SteerableHand {
   std::optional<Request> request_;
   device::HandMode mode_ = device::HandMode::kPath;
   device::HandAim aim_;
+  std::optional<Isometry> T_model_sensor_;  // at the latest exposure that was due
   std::vector<PathPose> truth_;
 };
 

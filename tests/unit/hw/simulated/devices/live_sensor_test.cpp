@@ -77,6 +77,26 @@ TEST(LiveSensor, DropsAndCountsFramesWhenTooSlowAndCatchesUp) {
   EXPECT_NE(late.kind, first.kind) << "taken frames alternate even after dropped ones";
 }
 
+TEST(LiveSensor, TakesNoImagesWhileItRestsButTheHandMovesOn) {
+  const ManualClock clock;
+  const auto sensor = make_sensor(clock);
+  ASSERT_TRUE(sensor->start());
+  const Frame before = next_frame(*sensor);
+  const Isometry T_before = sensor->T_model_sensor();
+  sensor->rest(true);
+  for (int i = 0; i < 30; ++i) EXPECT_FALSE(sensor->next(0.05).value());
+  EXPECT_GT((sensor->T_model_sensor().translation() - T_before.translation()).norm(), 1.0);
+  sensor->take_away();
+  EXPECT_FALSE(sensor->next(0.05).value());
+  EXPECT_EQ(sensor->mode(), device::HandMode::kAway);
+  sensor->rest(false);
+  const Frame after = next_frame(*sensor);
+  EXPECT_EQ(after.index.value, before.index.value + 1);
+  EXPECT_NEAR(after.time_s, before.time_s + 32.0 / 30.0, 1e-9);
+  EXPECT_EQ(sensor->truth().size(), 2U);
+  EXPECT_EQ(sensor->status().dropped, 0);
+}
+
 TEST(LiveSensor, WaitsNoLongerThanTheTimeout) {
   const ManualClock clock;
   const auto sensor = make_sensor(clock);
