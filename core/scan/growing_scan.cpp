@@ -11,9 +11,6 @@ constexpr std::size_t kReentryPlaces = 5;
 constexpr double kPictureShare = 0.25;
 /// With more tasks waiting for the model, further views are handed over together.
 constexpr std::size_t kModelTasks = 4;
-/// During a scan the model is rebuilt with better poses only if these move the surface by more than
-/// this share of a cell. Less is not visible, and a rebuild takes as long as the first build.
-constexpr double kToleratedCells = 0.2;
 
 double half_diagonal_mm(const calibration::Calibration& calibration) {
   return 0.5 * calibration.volume.size_mm.norm();
@@ -52,8 +49,7 @@ GrowingScan::GrowingScan(std::shared_ptr<const calibration::Calibration> calibra
                   background_thread_, ask_,
                   [this](const std::vector<AlignedView>& refined) {
                     if (run_.valid()) return;
-                    take_refined(refined);
-                    begin_run_ahead();
+                    take_refined(refined, is_scanning(phase_) ? kToleratedCells : 0.0);
                   }),
       model_(std::move(model),
              {board_, background_thread_, options.now_s,
@@ -339,11 +335,11 @@ void GrowingScan::pause() {
 void GrowingScan::come_to_rest() {
   hand_over_waiting();
   if (run_.valid()) return;
-  refinement_.run_if_new(known_views_, [this] { return registrar_->serving_views(); });
-  // A running optimization will do the same at its end.
-  if (refinement_.is_running()) return;
-  // A model at rest shows the best poses.
-  model_.follow(registrar_->aligned_views(), 0.0);
+  // A model at rest shows the best poses. An optimization will show better ones at its end, and so
+  // will a run ahead.
+  if (!ahead_mm_)
+    refinement_.run_if_new(known_views_, [this] { return registrar_->serving_views(); });
+  if (!refinement_.is_running()) model_.follow(registrar_->aligned_views(), 0.0);
   begin_run_ahead();
 }
 
@@ -392,13 +388,13 @@ void GrowingScan::show_edits() {
   journal([edits = edits_](ScanJournal& journal) { journal.keep_edits(edits); });
 }
 
-void GrowingScan::take_refined(const std::vector<AlignedView>& refined) {
+void GrowingScan::take_refined(const std::vector<AlignedView>& refined, double tolerated_cells) {
   // A rebuilt model contains all views: views handed over after it would be in it twice.
   hand_over_waiting();
   registrar_->apply(refined);
   const std::vector<AlignedView> views = registrar_->aligned_views();
   journal([views](ScanJournal& journal) { journal.keep_poses(views); });
-  model_.follow(views, is_scanning(phase_) ? kToleratedCells : 0.0);
+  model_.follow(views, tolerated_cells);
 }
 
 void GrowingScan::keep_in(std::shared_ptr<ScanJournal> to) {

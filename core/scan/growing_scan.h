@@ -64,6 +64,11 @@ class GrowingScan {
   void stop();
 
  private:
+  /// Unless the hand rests, the model is rebuilt with better poses only if these move the surface
+  /// by more than this share of a cell. Less is not visible, and a rebuild takes as long as the
+  /// first build.
+  static constexpr double kToleratedCells = 0.2;
+
   /// Views for the model, collected while the model's thread is busy.
   struct Waiting {
     std::vector<AlignedView> views;
@@ -85,7 +90,8 @@ class GrowingScan {
   void show_reentry();
   void take_edits();
   void show_edits();
-  void take_refined(const std::vector<AlignedView>& refined);
+  /// @param tolerated_cells  see ModelThread::follow
+  void take_refined(const std::vector<AlignedView>& refined, double tolerated_cells);
   void retire_past();
   void begin_run(double close_holes_mm);
   void watch_for_rest(bool sees_surface);

@@ -62,13 +62,15 @@ void GrowingScan::begin_run_ahead() {
   begin_run(*ahead_mm_);
 }
 
-/// Called when the scan changes. A run that is not done stops within a fraction of a second.
+/// Called when the scan changes. A run that is not done stops within a fraction of a second; the
+/// poses that it found serve.
 void GrowingScan::end_run_ahead() {
   ahead_ = nullptr;
   if (!run_.valid()) return;
   finishing_.cancel();
   FinishingOutput output = run_.get();
   take_back(output);
+  take_refined(output.aligned, kToleratedCells);
 }
 
 void GrowingScan::take_output() {
@@ -79,10 +81,10 @@ void GrowingScan::take_output() {
   if (!output.finished) {
     // The user has not asked yet, and learns of it then.
     if (is_ahead) return;
-    take_refined(output.aligned);
+    take_refined(output.aligned, 0.0);
     return take_no_result(output.finished.error());
   }
-  take_refined(output.finished->views);
+  take_refined(output.finished->views, 0.0);
   auto result = std::make_shared<const reconstruct::FinishedScan>(std::move(*output.finished));
   if (is_ahead) {
     ahead_ = std::move(result);

@@ -642,18 +642,32 @@ TEST(LiveScan, ARunAheadGivesWayToTheScan) {
   EXPECT_GE(done->result->views.size(), 120U);
 }
 
-TEST(LiveScan, ARunAheadFollowsEachEdit) {
+TEST(LiveScan, AScanGoesOnWithThePosesOfARunAhead) {
+  const auto notes = std::make_shared<Notes>();
+  LiveScanOptions options = options_for({});
+  options.journal = notes;
+  const auto scan = paused_scan(options);
+  const double before_mm = pose_rms_mm(placed_views(*notes));
+  scan->finish_ahead();
+  scan->wait_until_idle();
+  scan->start();
+  scan->wait_until_idle();
+  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kContinuation);
+  EXPECT_LT(pose_rms_mm(placed_views(*notes)), 0.8 * before_mm);
+}
+
+TEST(LiveScan, ARunAheadFollowsAnEdit) {
   const auto edited = [](bool is_ahead) {
     const auto scan = paused_scan(options_for({}));
     const Surfel middle = middle_of(*scan);
-    if (is_ahead) scan->finish_ahead();
-    cut_hole(*scan, middle, 1.0F);  // while the run is at work
     if (is_ahead) {
+      scan->finish_ahead();
       scan->wait_until_idle();
     } else {
       finish(*scan);
     }
-    cut_hole(*scan, middle, 3.0F);  // after it is done
+    cut_hole(*scan, middle, 3.0F);
+    if (is_ahead) scan->wait_until_idle();
     return finish(*scan);
   };
   const auto ahead = edited(true), plain = edited(false);
