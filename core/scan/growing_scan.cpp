@@ -52,7 +52,7 @@ GrowingScan::GrowingScan(std::shared_ptr<const calibration::Calibration> calibra
                     take_refined(refined, is_scanning(phase_) ? kToleratedCells : 0.0);
                   }),
       model_(std::move(model),
-             {board_, background_thread_, options.now_s,
+             {board_, background_thread_, rest_thread_, options.now_s,
               [this](std::vector<double> times_s) {
                 ask_([this, times_s = std::move(times_s)] {
                   redundant_s_.insert(redundant_s_.end(), times_s.begin(), times_s.end());
@@ -64,8 +64,8 @@ GrowingScan::GrowingScan(std::shared_ptr<const calibration::Calibration> calibra
 }
 
 std::size_t GrowingScan::pending() const {
-  return model_.pending() + background_thread_.pending() + finishing_.pending() +
-         journal_.pending();
+  return model_.pending() + background_thread_.pending() + rest_thread_.pending() +
+         finishing_.pending() + journal_.pending();
 }
 
 void GrowingScan::cancel_all() const {
@@ -79,6 +79,7 @@ void GrowingScan::stop() {
   journal_.stop();
   model_.stop();
   background_thread_.stop();
+  rest_thread_.stop();
   finishing_.stop();
 }
 
@@ -337,9 +338,10 @@ void GrowingScan::come_to_rest() {
   if (run_.valid()) return;
   // A model at rest shows the best poses. An optimization will show better ones at its end, and so
   // will a run ahead.
-  if (!ahead_mm_)
+  if (!ahead_mm_) {
     refinement_.run_if_new(known_views_, [this] { return registrar_->serving_views(); });
-  if (!refinement_.is_running()) model_.follow(registrar_->aligned_views(), 0.0);
+    if (!refinement_.is_running()) model_.follow(registrar_->aligned_views(), 0.0);
+  }
   begin_run_ahead();
 }
 

@@ -146,7 +146,7 @@ class GrowingScan {
 
   // Destroyed first: these threads use the members above.
   JournalThread journal_;
-  TaskThread background_thread_;
+  TaskThread background_thread_, rest_thread_;
   BackgroundRefinement refinement_;
   ModelThread model_;
   FinishingThread finishing_;

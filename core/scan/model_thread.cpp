@@ -170,7 +170,8 @@ void ModelThread::search_holes_if_grown() {
   if (is_finished(*around_.board.snapshot())) return;
   searches_holes_ = true;
   has_grown_since_holes_ = false;
-  around_.background.post([this, points = model_.surface().points()] {
+  TaskThread& searcher = is_at_rest_ ? around_.at_rest : around_.background;
+  searcher.post([this, points = model_.surface().points()] {
     const double began_s = around_.now_s();
     Result<meshing::SurfaceMesh> mesh = meshing::mesh_surface(points, around_.meshing, Workers(1));
     release_free_memory();

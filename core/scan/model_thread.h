@@ -16,7 +16,9 @@ namespace flytri::scan {
 /// The parts of the scan that the model's thread uses. They must outlive it.
 struct ModelSurroundings {
   SnapshotBoard& board;
-  TaskThread& background;  ///< runs the search for holes
+  TaskThread& background;  ///< searches for holes
+  TaskThread& at_rest;  ///< does so while the hand rests: then the user looks for them, and other
+                        ///< work would leave the background no processor
   std::function<double()> now_s;
   /// Called on the model's thread with the times of views that showed nothing new.
   std::function<void(std::vector<double>)> tell_redundant;
