@@ -68,7 +68,7 @@ class Bench {
   /// Waits for the first frame; the source may be calibrated before.
   bool wait_for_source();
   void run(double duration_s);
-  /// Pauses the scan, and finishes it after this time.
+  /// Pauses the scan, and finishes it after this time; 0: without a pause.
   /// @errors  kInsufficient: it could not be finished.
   Result<void> finish(double pause_s);
   [[nodiscard]] nlohmann::json report() const;
@@ -143,7 +143,7 @@ void Bench::run(double duration_s) {
 
 Result<void> Bench::finish(double pause_s) {
   pause_s_ = pause_s;
-  session_.carry_out(ui::PauseScan{});
+  if (pause_s > 0.0) session_.carry_out(ui::PauseScan{});
   const double paused_s = session_.now_s();
   while (session_.now_s() < paused_s + pause_s && frame()) {
   }
@@ -330,7 +330,8 @@ void add_live_command(CLI::App& lab, cli::Invocation& invocation) {
       ->check(CLI::Range(1.0, 36000.0))
       ->capture_default_str();
   live->add_option("--finish-after", arguments->pause_s,
-                   "Then pause for so many seconds, finish, and measure how long that takes")
+                   "Then pause for so many seconds (0: not at all), finish, and measure how long "
+                   "that takes")
       ->check(CLI::Range(0.0, 3600.0));
   cli::add_source_options(*live, arguments->source);
   live->add_flag("!--no-scene", arguments->scene,

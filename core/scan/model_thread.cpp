@@ -167,7 +167,8 @@ std::optional<LatencyStatistics> ModelThread::latency_with(
 
 void ModelThread::search_holes_if_grown() {
   if (searches_holes_ || !has_grown_since_holes_) return;
-  if (is_finished(*around_.board.snapshot())) return;
+  const ScanPhase phase = around_.board.snapshot()->phase;
+  if (phase == ScanPhase::kFinishing || phase == ScanPhase::kFinished) return;
   searches_holes_ = true;
   has_grown_since_holes_ = false;
   TaskThread& searcher = is_at_rest_ ? around_.at_rest : around_.background;
