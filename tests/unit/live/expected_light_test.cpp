@@ -100,11 +100,11 @@ class MissingSquare : public ::testing::Test {
     }
   }
   [[nodiscard]] std::size_t shown() const {
-    constexpr float kFinger_mm = -1.5F;
+    const float finger_mm = -1.5F;
     const auto points = surface_.points();
-    return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [](const auto& p) {
-      return p.position_mm.z() > kFinger_mm;
-    }));
+    return static_cast<std::size_t>(
+        std::count_if(points.begin(), points.end(),
+                      [finger_mm](const auto& p) { return p.position_mm.z() > finger_mm; }));
   }
 
   LiveSurface surface_ = LiveSurface::create({}, analytic_calibration()).value();

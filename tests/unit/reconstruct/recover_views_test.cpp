@@ -89,7 +89,9 @@ TEST(RecoverViews, BeginAnewWithTheReadoutThatTheConnectedOnesShow) {
           (was.T_world_sensor.inverse() * (*recovered)[i].T_world_sensor).translation().norm());
     }
     // The scan goes on in its own frame, knowing the shutter.
-    if (world == Registrar::World::kUnchanged) EXPECT_LT(farthest_mm, 0.5);
+    if (world == Registrar::World::kUnchanged) {
+      EXPECT_LT(farthest_mm, 0.5);
+    }
     EXPECT_TRUE(registered.registrar.options().track.shutter.is_rolling());
     EXPECT_EQ(registered.registrar.aligned_views().size(), count_registered(*recovered));
   }
