@@ -65,9 +65,9 @@ struct KeptScan {
 };
 
 /// Owns its threads: some measure, one registers, one keeps the model, one optimizes and looks for
-/// holes in the background, one finishes, one writes the journal. All functions are thread-safe,
-/// and only wait_until_idle() waits. A command that does not fit the phase does nothing, see
-/// accepts().
+/// holes in the background, one looks for holes while the hand rests, one finishes, one writes the
+/// journal. All functions are thread-safe, and only wait_until_idle() waits. A command that does
+/// not fit the phase does nothing, see accepts().
 class LiveScan {
  public:
   /// @errors  kBadOption.
