@@ -20,11 +20,11 @@ struct TriggeredImage {
 
 /// Finds the trigger of each image. At first one trigger at a time waits for its image: three such
 /// images show how the camera numbers them and how late they are. The time between these triggers
-/// grows, so that images of earlier exposures, each taken for that of the next trigger, would not
-/// be equally late. After that, triggers need not wait: an image belongs to the trigger with its
-/// number. An image with another delay means that the camera missed a trigger or was restarted.
-/// Then this waits for the images on their way, and starts again with one at a time; no image has a
-/// label until it is done. Not thread-safe.
+/// grows: an image of an earlier exposure, taken for that of a trigger, then shows by its delay.
+/// After that, triggers need not wait: an image belongs to the trigger with its number. An image
+/// with another delay means that the camera missed a trigger or was restarted. Then this waits for
+/// the images on their way, and starts again with one at a time; no image has a label until it is
+/// done. Not thread-safe.
 class TriggeredCamera {
  public:
   /// @param period_s  > 0, least time from one trigger to the next
