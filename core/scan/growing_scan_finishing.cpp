@@ -76,7 +76,6 @@ void GrowingScan::end_run_ahead() {
 void GrowingScan::take_output() {
   FinishingOutput output = run_.get();
   take_back(output);
-  refinement_.discard_run();
   const bool is_ahead = phase_ != ScanPhase::kFinishing;
   if (!output.finished) {
     // The user has not asked yet, and learns of it then.
@@ -99,6 +98,7 @@ void GrowingScan::take_back(FinishingOutput& output) {
   views_before_finishing_.clear();
   hand_over_growth(std::nullopt);
   board_.update([&](ScanSnapshot& s) { s.counts = frame_counter_.counts(offered_); });
+  refinement_.discard_run();
 }
 
 void GrowingScan::take_result(std::shared_ptr<const reconstruct::FinishedScan> result) {

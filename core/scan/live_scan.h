@@ -64,10 +64,8 @@ struct KeptScan {
   std::shared_ptr<const editing::HeldSurface> held;
 };
 
-/// Owns its threads: some measure, one registers, one keeps the model, one optimizes and looks for
-/// holes in the background, one looks for holes while the hand rests, one finishes, one writes the
-/// journal. All functions are thread-safe, and only wait_until_idle() waits. A command that does
-/// not fit the phase does nothing, see accepts().
+/// Owns its threads, see docs/architecture.md. All functions are thread-safe, and only those named
+/// wait_... wait. A command that does not fit the phase does nothing, see accepts().
 class LiveScan {
  public:
   /// @errors  kBadOption.
@@ -94,9 +92,8 @@ class LiveScan {
   void choose_reentry(std::size_t index);
   /// @param close_holes_mm  as MeshOptions
   void finish(double close_holes_mm = 0.0);
-  /// From now on, whenever the scan is paused, and when the sensor has seen no surface for 2 s,
-  /// does ahead what finish() with this argument will ask for. finish() then has only the rest to
-  /// do.
+  /// From now on, finishing begins whenever the scan is paused, or the sensor has seen no surface
+  /// for 2 s. finish() with the same argument then has only the rest to do.
   void finish_ahead(double close_holes_mm = 0.0);
   void cancel_finish();
   /// From now on the scan is saved in this journal, with all that was scanned before.

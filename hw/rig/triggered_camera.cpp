@@ -8,8 +8,7 @@ namespace {
 
 /// Longest time from a trigger to its image: exposure, readout, transfer and a busy computer.
 constexpr double kPatience_s = 0.5;
-/// No image comes for so long: those of earlier exposures have arrived. If one is later still, the
-/// delays show it.
+/// So long without an image: those of earlier exposures have arrived. The delays show a later one.
 constexpr double kQuiet_s = 0.2;
 /// Images of triggers are as late as each other, but for this share of a period.
 constexpr double kDelaySpread = 0.4;
@@ -22,18 +21,22 @@ Result<void> TriggeredCamera::start() {
   labels_ = {};
   damaged_ = streams_ = 0;
   unanswered_ = 0;
-  begin_anew();
-  awaits_quiet_ = false;
+  forget_triggers();
   return camera_->start();
 }
 
 void TriggeredCamera::begin_anew() {
+  forget_triggers();
+  awaits_quiet_ = true;
+}
+
+void TriggeredCamera::forget_triggers() {
   waiting_.clear();
   first_.reset();
   agreeing_ = 0;
   single_s_.reset();
   next_single_s_ = 0.0;
-  awaits_quiet_ = true;
+  awaits_quiet_ = false;
 }
 
 bool TriggeredCamera::takes_trigger(double now_s) {
@@ -41,8 +44,7 @@ bool TriggeredCamera::takes_trigger(double now_s) {
   if (waiting_.empty()) return is_in_step() || now_s >= next_single_s_;
   if (now_s - waiting_.front().time_s < kPatience_s) return is_in_step();
   ++unanswered_;
-  begin_anew();
-  awaits_quiet_ = false;
+  forget_triggers();
   return true;
 }
 

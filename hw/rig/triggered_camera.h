@@ -18,13 +18,12 @@ struct TriggeredImage {
   double time_s = 0.0;  ///< middle of the exposure
 };
 
-/// Finds the trigger of each image. At first one trigger at a time waits for its image: three such
-/// images show how the camera numbers them and how late they are. The time between these triggers
-/// grows: an image of an earlier exposure, taken for that of a trigger, then shows by its delay.
-/// After that, triggers need not wait: an image belongs to the trigger with its number. An image
-/// with another delay means that the camera missed a trigger or was restarted. Then this waits for
-/// the images on their way, and starts again with one at a time; no image has a label until it is
-/// done. Not thread-safe.
+/// Finds the trigger of each image. At first each trigger waits for its image. Three such images
+/// show how the camera numbers them and how late they are. The time between these triggers grows,
+/// so that the image of an earlier exposure has another delay. After that, triggers do not wait: an
+/// image belongs to the trigger with its number. Another delay means that the camera missed a
+/// trigger or was restarted. Then all starts again, once no more images come. Until it is done, no
+/// image has a label. Not thread-safe.
 class TriggeredCamera {
  public:
   /// @param period_s  > 0, least time from one trigger to the next
@@ -60,6 +59,7 @@ class TriggeredCamera {
     double time_s = 0.0;
   };
   [[nodiscard]] std::optional<Trigger> trigger_of(const device::CameraFrame& frame);
+  void forget_triggers();
   void learn_from(const device::CameraFrame& frame, const Trigger& single);
 
   std::shared_ptr<device::Camera> camera_;

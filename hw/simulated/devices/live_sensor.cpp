@@ -85,12 +85,11 @@ Result<std::optional<Frame>> LiveSensor::next(double timeout_s) {
     status_.count_dropped(latest - slot_);
     slot_ = latest;
   }
-  move_hand(slot_);
-  if (rests_) {
-    ++slot_;
-    return std::nullopt;
-  }
-  Frame frame = take(slot_++);
+  const std::int64_t slot = slot_++;
+  const double time_s = static_cast<double>(slot) * options_.sensor.frame_period_s;
+  const Isometry T_model_sensor = move_hand(time_s);
+  if (rests_) return std::nullopt;
+  Frame frame = take(slot, time_s, T_model_sensor);
   status_.count_delivered();
   return frame;
 }
@@ -118,21 +117,21 @@ bool LiveSensor::is_texture(std::int64_t slot) const {
   return static_cast<std::int64_t>(time_s / options_.texture_period_s) > texture_round_;
 }
 
-void LiveSensor::move_hand(std::int64_t slot) {
+Isometry LiveSensor::move_hand(double time_s) {
   apply_request();
-  const double time_s = static_cast<double>(slot) * options_.sensor.frame_period_s;
   hand_->advance(time_s + 0.5 * options_.sensor.exposure_s);
+  const Isometry T_model_sensor = hand_->T_model_sensor(time_s);
   const std::lock_guard lock(mutex_);
-  T_model_sensor_ = hand_->T_model_sensor(time_s);
+  T_model_sensor_ = T_model_sensor;
   aim_ = hand_->aim();
+  return T_model_sensor;
 }
 
-Frame LiveSensor::take(std::int64_t slot) {
+Frame LiveSensor::take(std::int64_t slot, double time_s, const Isometry& T_model_sensor) {
   Frame frame;
   frame.index = FrameIndex(taken_);
-  frame.time_s = static_cast<double>(slot) * options_.sensor.frame_period_s;
+  frame.time_s = time_s;
   const double half_s = 0.5 * options_.sensor.exposure_s;
-  const Isometry T_model_sensor = hand_->T_model_sensor(frame.time_s);
   const auto stream = static_cast<std::uint64_t>(taken_++);
   if (is_texture(slot)) {
     texture_round_ = static_cast<std::int64_t>(frame.time_s / options_.texture_period_s);

@@ -75,8 +75,9 @@ class LiveSensor final : public device::Sensor, public device::SteerableHand {
   [[nodiscard]] double due_s(std::int64_t slot) const;
   [[nodiscard]] bool is_texture(std::int64_t slot) const;
   void apply_request();
-  void move_hand(std::int64_t slot);
-  [[nodiscard]] Frame take(std::int64_t slot);
+  /// Returns T_model_sensor at the middle of the exposure.
+  Isometry move_hand(double time_s);
+  [[nodiscard]] Frame take(std::int64_t slot, double time_s, const Isometry& T_model_sensor);
 
   ImageSimulator simulator_;
   SensorPath path_;

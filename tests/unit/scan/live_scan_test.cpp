@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <future>
@@ -11,77 +10,29 @@
 #include <thread>
 
 #include "core/base/median.h"
-#include "tests/support/steered_scan.h"
+#include "tests/support/loop_scan.h"
 #include "tests/support/wavy_scene.h"
 
 namespace flytri::scan {
 namespace {
 
 using testing::finish;
+using testing::kFramePeriod_s;
+using testing::LoopScene;
 using testing::make_scan;
 using testing::measurement_frame;
 using testing::offer;
+using testing::options_for;
+using testing::pose_rms_mm;
+using testing::ScanNotes;
 using testing::SceneSensor;
 using testing::steady_s;
-
-constexpr double kPeriod_s = testing::kFramePeriod_s;
-
-/// What the sensor measures: nothing while it is away.
-class Scene {
- public:
-  [[nodiscard]] Result<measurement::MeasuredView> measure(const Frame& frame) const {
-    measurement::MeasuredView measured;
-    if (is_away(frame.time_s)) {
-      measured.outcome = measurement::MeasureOutcome::kTooFewPoints;
-      return measured;
-    }
-    Random random(17, static_cast<std::uint64_t>(frame.index.value));
-    measured.view =
-        testing::measure_scene(testing::cusped_height, SceneSensor(), *pattern_of(frame.kind),
-                               shifted(testing::loop_pose(frame.time_s), frame.time_s), random);
-    measured.view.frame = frame.index;
-    measured.view.time_s = frame.time_s;
-    return measured;
-  }
-  double away_from_s = 1e9, away_to_s = 1e9;
-  /// After it was away, the sensor comes back this far from the scanned place, and then returns to
-  /// it slowly.
-  double comes_back_beside_mm = 0.0;
-
- private:
-  [[nodiscard]] Isometry shifted(const Isometry& T_scene_sensor, double time_s) const {
-    constexpr double kSpeed_mm_s = 10.0;
-    if (time_s < away_to_s) return T_scene_sensor;
-    const double beside_mm = comes_back_beside_mm - kSpeed_mm_s * (time_s - away_to_s);
-    return Eigen::Translation3d(std::max(0.0, beside_mm), 0.0, 0.0) * T_scene_sensor;
-  }
-  [[nodiscard]] bool is_away(double time_s) const {
-    return time_s >= away_from_s && time_s < away_to_s;
-  }
-};
-
-LiveScanOptions options_for(const Scene& scene) {
-  return testing::steered_options([scene](const Frame& frame) { return scene.measure(frame); });
-}
-
-/// RMS error of the poses over the radius of a view, relative to the first view.
-double pose_rms_mm(const std::vector<AlignedView>& views) {
-  const Isometry T_scene_world =
-      testing::loop_pose(views.front().view->time_s) * views.front().T_world_sensor.inverse();
-  double sum = 0.0;
-  for (const AlignedView& view : views) {
-    const double off_mm = trajectory::pose_distance_mm(T_scene_world * view.T_world_sensor,
-                                                       testing::loop_pose(view.view->time_s), 7.0);
-    sum += off_mm * off_mm;
-  }
-  return std::sqrt(sum / static_cast<double>(views.size()));
-}
 
 /// From a frame on, vertical lines are measured too far away: their projector has moved.
 /// @return  the frame after which that was reported; 0: it was not
 int frame_of_report(double shift_mm, int moved_at) {
   constexpr int kFrames = 360, kStep = 30;
-  const Scene scene;
+  const LoopScene scene;
   const auto scan = make_scan(testing::steered_options([=](const Frame& frame) {
     auto measured = scene.measure(frame);
     if (frame.index.value < moved_at || frame.kind != FrameKind::kVertical) return measured;
@@ -201,9 +152,9 @@ TEST(LiveScan, SurfelsLieOnTheSurfaceWithItsNormals) {
 }
 
 TEST(LiveScan, ContinuesByItselfAfterTheSensorWasAway) {
-  Scene scene;
-  scene.away_from_s = 60 * kPeriod_s;
-  scene.away_to_s = 90 * kPeriod_s;
+  LoopScene scene;
+  scene.away_from_s = 60 * kFramePeriod_s;
+  scene.away_to_s = 90 * kFramePeriod_s;
   const auto scan = make_scan(options_for(scene));
   scan->start();
   offer(*scan, 0, 90);
@@ -222,9 +173,9 @@ TEST(LiveScan, ContinuesByItselfAfterTheSensorWasAway) {
 }
 
 TEST(LiveScan, AnInterruptedScanIsAsAccurateAsAnother) {
-  Scene whole, interrupted;
-  interrupted.away_from_s = 60 * kPeriod_s;
-  interrupted.away_to_s = 90 * kPeriod_s;
+  LoopScene whole, interrupted;
+  interrupted.away_from_s = 60 * kFramePeriod_s;
+  interrupted.away_to_s = 90 * kFramePeriod_s;
   double rms_mm[2];
   for (const int i : {0, 1}) {
     const auto scan = make_scan(options_for(i == 0 ? whole : interrupted));
@@ -252,35 +203,6 @@ TEST(LiveScan, ContinuesThePausedModel) {
   offer(*scan, 80, 120);
   EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kMeasurement);
   EXPECT_GE(surfel_count(scan->snapshot()->model), before);
-}
-
-TEST(LiveScan, FinishesToAMeshAndContinues) {
-  const auto scan = make_scan(options_for({}));
-  scan->start();
-  offer(*scan, 0, 90);
-  const auto done = finish(*scan);
-  EXPECT_EQ(done->phase, ScanPhase::kFinished);
-  ASSERT_NE(done->result, nullptr) << done->failure;
-  EXPECT_GT(done->result->surface.mesh.triangles.size(), 5000U);
-  scan->start();
-  offer(*scan, 90, 120);
-  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kMeasurement);
-  EXPECT_EQ(scan->snapshot()->result, nullptr);
-}
-
-TEST(LiveScan, KeepsTheScanIfFinishingIsCancelled) {
-  const auto scan = make_scan(options_for({}));
-  scan->start();
-  offer(*scan, 0, 60);
-  scan->finish();
-  while (scan->snapshot()->phase == ScanPhase::kMeasurement) std::this_thread::yield();
-  scan->cancel_finish();
-  scan->wait_until_idle();
-  // A fast machine may be done before the cancel arrives.
-  if (scan->snapshot()->phase == ScanPhase::kFinished) GTEST_SKIP() << "finished before the cancel";
-  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kPreview);
-  EXPECT_EQ(scan->snapshot()->failure, "");
-  EXPECT_FALSE(scan->snapshot()->model.empty());
 }
 
 TEST(LiveScan, UndoBringsBackTrimmedPlaces) {
@@ -420,7 +342,7 @@ TEST(LiveScan, UndoAndRedoOfAFinishedScanLeadBackToTheEditedSurface) {
 }
 
 TEST(LiveScan, HighLoadCostsViewsButNoDelay) {
-  Scene scene;
+  LoopScene scene;
   LiveScanOptions options = options_for(scene);
   options.max_frames_underway = 4;
   options.measure_frame = [scene](const Frame& frame) {
@@ -436,40 +358,8 @@ TEST(LiveScan, HighLoadCostsViewsButNoDelay) {
   EXPECT_EQ(counts.pending, 0);
 }
 
-/// A journal in memory.
-class Notes final : public ScanJournal {
- public:
-  void keep_view(const View& view) override { views.push_back(std::make_shared<const View>(view)); }
-  /// True if each view with a pose is there exactly once.
-  [[nodiscard]] bool has_each_placed_view_once() const {
-    std::map<int, int> counts;
-    for (const auto& view : views) ++counts[view->frame.value];
-    return std::all_of(poses.begin(), poses.end(), [&](const auto& pose) {
-      return counts.count(pose.first) == 1 && counts.at(pose.first) == 1;
-    });
-  }
-  void keep_texture(const Frame&) override { ++textures; }
-  void keep_poses(std::span<const AlignedView> placed) override {
-    for (const AlignedView& view : placed) poses[view.view->frame.value] = view.T_world_sensor;
-  }
-  void keep_edits(const editing::EditStack&) override {}
-  void keep_result(const reconstruct::FinishedScan&) override { ++results; }
-  void commit() override { ++commits; }
-
-  std::vector<std::shared_ptr<const View>> views;
-  std::map<int, Isometry> poses;
-  int textures = 0, results = 0, commits = 0;
-};
-
-/// The views of a journal, with their poses.
-std::vector<AlignedView> placed_views(const Notes& notes) {
-  std::vector<AlignedView> placed;
-  for (const auto& view : notes.views) placed.push_back({view, notes.poses.at(view->frame.value)});
-  return placed;
-}
-
 TEST(LiveScan, AScanCanBeContinuedFromItsJournal) {
-  const auto notes = std::make_shared<Notes>();
+  const auto notes = std::make_shared<ScanNotes>();
   LiveScanOptions options = options_for({});
   options.journal = notes;
   {
@@ -481,7 +371,7 @@ TEST(LiveScan, AScanCanBeContinuedFromItsJournal) {
   EXPECT_EQ(notes->poses.size(), 90U);
   EXPECT_GT(notes->commits, 0);
   KeptScan kept;
-  kept.views = placed_views(*notes);
+  kept.views = notes->placed_views();
   const auto scan = make_scan(options_for({}), kept);
   scan->wait_until_idle();
   EXPECT_GT(surfel_count(scan->snapshot()->model), 5000U);
@@ -492,262 +382,6 @@ TEST(LiveScan, AScanCanBeContinuedFromItsJournal) {
   EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kMeasurement);
   EXPECT_GE(scan->snapshot()->counts.registered, 25);
   EXPECT_GE(scan->snapshot()->view_count(), 115);
-}
-
-TEST(LiveScan, TwoPressesOfFinishMakeOneRun) {
-  const auto notes = std::make_shared<Notes>();
-  LiveScanOptions options = options_for({});
-  options.journal = notes;
-  const auto scan = make_scan(options);
-  scan->start();
-  offer(*scan, 0, 60);
-  scan->finish();
-  const auto done = finish(*scan);
-  EXPECT_EQ(done->phase, ScanPhase::kFinished);
-  EXPECT_EQ(notes->results, 1);
-}
-
-TEST(LiveScan, AFinishThatIsCancelledKeepsTheAlignment) {
-  const auto notes = std::make_shared<Notes>();
-  LiveScanOptions options = options_for({});
-  options.journal = notes;
-  options.min_refine_views = 1000;  // only finishing optimizes
-  const auto scan = make_scan(options);
-  scan->start();
-  offer(*scan, 0, 90);
-  const double before_mm = pose_rms_mm(placed_views(*notes));
-  scan->finish();
-  const auto stage = [&] { return scan->snapshot()->finishing.stage; };
-  while (stage() != reconstruct::kSimplifying && stage() != reconstruct::kMeshing)
-    std::this_thread::yield();
-  scan->cancel_finish();
-  scan->wait_until_idle();
-  ASSERT_EQ(scan->snapshot()->phase, ScanPhase::kPreview);
-  EXPECT_EQ(notes->results, 0);
-  EXPECT_LT(pose_rms_mm(placed_views(*notes)), 0.8 * before_mm);
-}
-
-/// Waits until the scan is in this phase; false after a minute.
-bool reaches(const LiveScan& scan, ScanPhase phase) {
-  for (int tries = 0; tries < 60'000 && scan.snapshot()->phase != phase; ++tries)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  return scan.snapshot()->phase == phase;
-}
-
-TEST(LiveScan, CommandsWhileFinishingDoNotDisturbIt) {
-  Scene scene;
-  scene.away_from_s = 30 * kPeriod_s;
-  scene.away_to_s = 55 * kPeriod_s;
-  const auto first = std::make_shared<Notes>(), second = std::make_shared<Notes>();
-  LiveScanOptions options = options_for(scene);
-  options.journal = first;
-  const auto scan = make_scan(options);
-  scan->start();
-  offer(*scan, 0, 120);
-  scan->finish();
-  ASSERT_TRUE(reaches(*scan, ScanPhase::kFinishing));
-  for (int i = 0; i < 20; ++i) {
-    scan->pause();
-    scan->start();
-    scan->choose_reentry(0);
-    scan->undo();
-  }
-  scan->keep_in(second);
-  scan->wait_until_idle();
-  const auto done = scan->snapshot();
-  EXPECT_EQ(done->phase, ScanPhase::kFinished);
-  ASSERT_NE(done->result, nullptr) << done->failure;
-  EXPECT_EQ(second->results, 1);
-  EXPECT_GE(second->poses.size(), done->result->views.size());
-  EXPECT_TRUE(second->has_each_placed_view_once());
-}
-
-/// A scan of 90 frames, paused. Each such scan is the same, as nothing is optimized at times that
-/// depend on the machine.
-std::unique_ptr<LiveScan> paused_scan(LiveScanOptions options) {
-  options.min_refine_views = 1000;
-  auto scan = make_scan(options);
-  scan->start();
-  offer(*scan, 0, 90);
-  scan->pause();
-  scan->wait_until_idle();
-  return scan;
-}
-
-std::vector<float> coordinates_of(const reconstruct::FinishedScan& finished) {
-  std::vector<float> coordinates;
-  for (const SurfacePoint& vertex : finished.surface.mesh.vertices) {
-    coordinates.insert(coordinates.end(), vertex.position_mm.begin(), vertex.position_mm.end());
-  }
-  return coordinates;
-}
-
-Surfel middle_of(const LiveScan& scan) {
-  const auto now = scan.snapshot();
-  return now->model[now->model.size() / 2]->surfels.front();
-}
-
-void cut_hole(LiveScan& scan, const Surfel& at, float radius_mm) {
-  scan.edit(editing::EditKind::kTrim, {{at.position_mm, at.normal, radius_mm}});
-}
-
-TEST(LiveScan, APausedScanIsFinishedAheadWithTheSameModel) {
-  std::atomic<int> asked_time{0};
-  LiveScanOptions options = options_for({});
-  options.now_s = [&asked_time] {
-    ++asked_time;
-    return steady_s();
-  };
-  const auto scan = paused_scan(options);
-  scan->finish_ahead();
-  scan->wait_until_idle();
-  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kPreview);
-  EXPECT_EQ(scan->snapshot()->result, nullptr);
-  // Each stage of a run asks for the time.
-  const int before = asked_time;
-  const auto done = finish(*scan);
-  EXPECT_EQ(asked_time, before);
-  ASSERT_NE(done->result, nullptr) << done->failure;
-
-  const auto other = finish(*paused_scan(options_for({})));
-  ASSERT_NE(other->result, nullptr) << other->failure;
-  EXPECT_TRUE(coordinates_of(*done->result) == coordinates_of(*other->result));
-}
-
-TEST(LiveScan, FinishTakesOverARunAheadThatIsNotDone) {
-  const auto notes = std::make_shared<Notes>();
-  LiveScanOptions options = options_for({});
-  options.journal = notes;
-  const auto scan = paused_scan(options);
-  scan->finish_ahead();
-  const auto done = finish(*scan);
-  EXPECT_EQ(done->phase, ScanPhase::kFinished);
-  ASSERT_NE(done->result, nullptr) << done->failure;
-  EXPECT_EQ(notes->results, 1);
-}
-
-TEST(LiveScan, ARunAheadGivesWayToTheScan) {
-  const auto scan = paused_scan(options_for({}));
-  scan->finish_ahead();
-  scan->start();
-  offer(*scan, 90, 130);
-  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kMeasurement);
-  EXPECT_EQ(scan->snapshot()->result, nullptr);
-  EXPECT_GE(scan->snapshot()->view_count(), 120);
-  // The next pause begins another one, with the new views.
-  scan->pause();
-  scan->wait_until_idle();
-  const auto done = finish(*scan);
-  ASSERT_NE(done->result, nullptr) << done->failure;
-  EXPECT_GE(done->result->views.size(), 120U);
-}
-
-TEST(LiveScan, AScanGoesOnWithThePosesOfARunAhead) {
-  const auto notes = std::make_shared<Notes>();
-  LiveScanOptions options = options_for({});
-  options.journal = notes;
-  const auto scan = paused_scan(options);
-  const double before_mm = pose_rms_mm(placed_views(*notes));
-  scan->finish_ahead();
-  scan->wait_until_idle();
-  scan->start();
-  scan->wait_until_idle();
-  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kContinuation);
-  EXPECT_LT(pose_rms_mm(placed_views(*notes)), 0.8 * before_mm);
-}
-
-TEST(LiveScan, ARunAheadFollowsAnEdit) {
-  const auto edited = [](bool is_ahead) {
-    const auto scan = paused_scan(options_for({}));
-    const Surfel middle = middle_of(*scan);
-    if (is_ahead) {
-      scan->finish_ahead();
-      scan->wait_until_idle();
-    } else {
-      finish(*scan);
-    }
-    cut_hole(*scan, middle, 3.0F);
-    if (is_ahead) scan->wait_until_idle();
-    return finish(*scan);
-  };
-  const auto ahead = edited(true), plain = edited(false);
-  ASSERT_NE(ahead->result, nullptr) << ahead->failure;
-  ASSERT_NE(plain->result, nullptr) << plain->failure;
-  EXPECT_TRUE(coordinates_of(*ahead->result) == coordinates_of(*plain->result));
-}
-
-TEST(LiveScan, FinishThatClosesOtherHolesDoesNotUseTheRunAhead) {
-  const auto scan = paused_scan(options_for({}));
-  cut_hole(*scan, middle_of(*scan), 2.0F);
-  scan->finish_ahead(0.0);
-  scan->wait_until_idle();
-  scan->finish(10.0);
-  scan->wait_until_idle();
-  const auto done = scan->snapshot();
-  ASSERT_NE(done->result, nullptr) << done->failure;
-  EXPECT_GE(done->result->surface.closed_holes, 1U);
-}
-
-TEST(LiveScan, AFinishThatBeganAheadCanBeCancelled) {
-  const auto scan = paused_scan(options_for({}));
-  scan->finish_ahead();
-  scan->finish();
-  while (scan->snapshot()->phase == ScanPhase::kPreview) std::this_thread::yield();
-  scan->cancel_finish();
-  scan->wait_until_idle();
-  if (scan->snapshot()->phase == ScanPhase::kFinished) GTEST_SKIP() << "finished before the cancel";
-  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kPreview);
-  EXPECT_EQ(scan->snapshot()->failure, "");
-  EXPECT_NE(finish(*scan)->result, nullptr);
-}
-
-TEST(LiveScan, IsFinishedAheadOnceTheSensorHasBeenAwayForSomeSeconds) {
-  Scene scene;
-  scene.away_from_s = 90 * kPeriod_s;
-  scene.away_to_s = 180 * kPeriod_s;
-  const auto notes = std::make_shared<Notes>();
-  LiveScanOptions options = options_for(scene);
-  options.journal = notes;
-  options.min_refine_views = 1000;  // only finishing optimizes
-  const auto scan = make_scan(options);
-  scan->start();
-  scan->finish_ahead();
-  offer(*scan, 0, 90);
-  const double before_mm = pose_rms_mm(placed_views(*notes));
-  offer(*scan, 90, 120);
-  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kContinuation);
-  EXPECT_EQ(pose_rms_mm(placed_views(*notes)), before_mm);
-  offer(*scan, 120, 160);
-  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kContinuation);
-  EXPECT_LT(pose_rms_mm(placed_views(*notes)), 0.8 * before_mm);
-  // The user may still come back.
-  offer(*scan, 160, 220);
-  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kMeasurement);
-  EXPECT_GE(scan->snapshot()->counts.registered, 120);
-  EXPECT_NE(finish(*scan)->result, nullptr);
-}
-
-TEST(LiveScan, CommandsDuringARunAheadAreCarriedOut) {
-  Scene scene;
-  scene.away_from_s = 90 * kPeriod_s;
-  const auto scan = make_scan(options_for(scene));
-  scan->start();
-  scan->finish_ahead();
-  offer(*scan, 0, 100);
-  for (int i = 100; i < 160; ++i) scan->offer(measurement_frame(i));
-  scan->choose_reentry(0);
-  cut_hole(*scan, middle_of(*scan), 1.0F);
-  scan->keep_in(std::make_shared<Notes>());
-  scan->pause();
-  scan->wait_until_idle();
-  EXPECT_EQ(scan->snapshot()->phase, ScanPhase::kPreview);
-  EXPECT_TRUE(scan->snapshot()->can_undo);
-  EXPECT_NE(finish(*scan)->result, nullptr);
-}
-
-TEST(LiveScan, EndsWhileARunAheadIsAtWork) {
-  const auto scan = paused_scan(options_for({}));
-  scan->finish_ahead();
 }
 
 TEST(LiveScan, NamesTheOptionThatIsWrong) {

@@ -81,8 +81,8 @@ TEST_F(TriggeredCameraTest, LabelsEachImageWithItsLight) {
   EXPECT_EQ(wrong_, 0);
 }
 
-/// A sequencer that hung carries out what it was told before. These images are still on their way
-/// when the first triggers are sent anew, and each could pass for the image of the next trigger.
+/// A sequencer that hung exposes later what it was told before. Such an image could pass for that
+/// of the next trigger.
 TEST_F(TriggeredCameraTest, ImagesOfExposuresThatItDidNotAskForGetNoLabel) {
   for (int others = 1; others <= 3; ++others) {
     for (int gap_ms = 0; gap_ms <= 60; gap_ms += 5) {
