@@ -321,6 +321,9 @@ void GrowingScan::journal_view(const std::shared_ptr<const View>& view) {
 void GrowingScan::start() {
   if (!accepts(phase_, ScanEvent::kStart, has_model())) return;
   end_run_ahead();
+  // A sensor that rested has sent no frames.
+  seen_at_s_.reset();
+  is_away_ = false;
   // Not before: while the user edits, undo and redo need not wait for it.
   registrar_->set_edits(edits_.state());
   step(ScanEvent::kStart);
@@ -348,11 +351,11 @@ void GrowingScan::come_to_rest() {
 /// The user takes the sensor out of the mouth before asking for the result.
 void GrowingScan::watch_for_rest(bool sees_surface) {
   constexpr double kAway_s = 2.0;
+  if (sees_surface || !seen_at_s_) seen_at_s_ = last_time_s_;
   if (sees_surface) {
-    seen_at_s_ = last_time_s_;
     if (std::exchange(is_away_, false) && is_scanning(phase_)) end_run_ahead();
   } else if (!is_away_ && phase_ == ScanPhase::kContinuation &&
-             last_time_s_ > seen_at_s_ + kAway_s) {
+             last_time_s_ > *seen_at_s_ + kAway_s) {
     is_away_ = true;
     come_to_rest();
   }

@@ -139,8 +139,8 @@ class GrowingScan {
   std::shared_ptr<const reconstruct::FinishedScan> ahead_;  ///< what that run has found, or null
   std::int64_t offered_ = 0;
   double last_time_s_ = 0.0, scanned_s_ = 0.0;
-  double seen_at_s_ = 0.0;  ///< when a view was measured last
-  bool is_away_ = false;    ///< the sensor has seen no surface for some seconds
+  std::optional<double> seen_at_s_;  ///< when a view was measured last, or the scan was started
+  bool is_away_ = false;             ///< the sensor has seen no surface for some seconds
   DistanceGauge distance_;
   calibration::PatternShiftGauge pattern_shift_;
 
