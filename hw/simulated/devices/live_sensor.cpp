@@ -120,7 +120,7 @@ bool LiveSensor::is_texture(std::int64_t slot) const {
 Isometry LiveSensor::move_hand(double time_s) {
   apply_request();
   hand_->advance(time_s + 0.5 * options_.sensor.exposure_s);
-  const Isometry T_model_sensor = hand_->T_model_sensor(time_s);
+  Isometry T_model_sensor = hand_->T_model_sensor(time_s);
   const std::lock_guard lock(mutex_);
   T_model_sensor_ = T_model_sensor;
   aim_ = hand_->aim();
