@@ -31,8 +31,16 @@ FoundHoles holes_of(const meshing::SurfaceMesh& surface, const Vec3& volume_mm) 
 ModelThread::ModelThread(LiveModel model, ModelSurroundings around)
     : around_(std::move(around)), model_(std::move(model)) {}
 
+void ModelThread::post(std::function<void()> task) {
+  thread_.post([this, task = std::move(task)] {
+    task();
+    // Also after a task that changes nothing: the one before it may have left its change to it.
+    publish_if_due(false);
+  });
+}
+
 void ModelThread::add(std::vector<AlignedView> views, std::vector<double> offered_at_s) {
-  thread_.post([this, views = std::move(views), offered_at_s = std::move(offered_at_s)] {
+  post([this, views = std::move(views), offered_at_s = std::move(offered_at_s)] {
     model_.add(views);
     std::vector<double> redundant_s = model_.take_redundant();
     if (!redundant_s.empty()) around_.tell_redundant(std::move(redundant_s));
@@ -49,17 +57,16 @@ void ModelThread::add(std::vector<AlignedView> views, std::vector<double> offere
 }
 
 void ModelThread::add_texture(const Frame& frame) {
-  thread_.post([this, frame] {
+  post([this, frame] {
     model_.add_texture(frame);
     has_changed_ = true;
-    publish_if_due(false);
   });
 }
 
 void ModelThread::restore(std::vector<AlignedView> views, std::vector<Frame> texture_frames,
                           editing::EditStack edits) {
-  thread_.post([this, views = std::move(views), texture_frames = std::move(texture_frames),
-                edits = std::move(edits)] {
+  post([this, views = std::move(views), texture_frames = std::move(texture_frames),
+        edits = std::move(edits)] {
     model_.set_edits(edits);
     model_.add(views);
     model_.surface().settle_edits();
@@ -70,7 +77,7 @@ void ModelThread::restore(std::vector<AlignedView> views, std::vector<Frame> tex
 }
 
 void ModelThread::set_edits(editing::EditStack edits) {
-  thread_.post([this, edits = std::move(edits)] {
+  post([this, edits = std::move(edits)] {
     model_.set_edits(edits);
     has_changed_ = has_grown_since_holes_ = true;
     publish_if_due(true);
@@ -79,7 +86,7 @@ void ModelThread::set_edits(editing::EditStack edits) {
 }
 
 void ModelThread::show_crossed(bool is_shown) {
-  thread_.post([this, is_shown] {
+  post([this, is_shown] {
     model_.show_crossed(is_shown);
     around_.board.update([&](ScanSnapshot& s) { s.shows_crossed = is_shown; });
     has_changed_ = has_grown_since_holes_ = true;
@@ -89,36 +96,35 @@ void ModelThread::show_crossed(bool is_shown) {
 }
 
 void ModelThread::build_in_other_world(std::vector<AlignedView> views) {
-  thread_.post([this, views = std::move(views)] { begin_rebuild(views, true); });
+  post([this, views = std::move(views)] { begin_rebuild(views, true); });
 }
 
 void ModelThread::follow(std::vector<AlignedView> views, double tolerated_cells) {
-  thread_.post([this, views = std::move(views), tolerated_cells] {
+  post([this, views = std::move(views), tolerated_cells] {
     const double off_mm = model_.follow(views);
     if (off_mm > tolerated_cells * model_.surface().cell_mm()) begin_rebuild(views, false);
   });
 }
 
 void ModelThread::look_for_holes() {
-  thread_.post([this] {
+  post([this] {
     is_at_rest_ = true;
     search_holes_if_grown();
   });
 }
 
 void ModelThread::with_textures(std::function<void(const std::vector<PlacedTexture>&)> use) {
-  thread_.post([this, use = std::move(use)] { use(model_.textures()); });
+  post([this, use = std::move(use)] { use(model_.textures()); });
 }
 
 void ModelThread::begin_rebuild(std::vector<AlignedView> views, bool is_other) {
   model_.begin_rebuild(std::move(views), is_other);
-  thread_.post([this] { continue_rebuild(); });
+  post([this] { continue_rebuild(); });
 }
 
 void ModelThread::continue_rebuild() {
   if (model_.continue_rebuild()) {
-    thread_.post([this] { continue_rebuild(); });
-    return publish_if_due(false);
+    return post([this] { continue_rebuild(); });
   }
   has_changed_ = has_grown_since_holes_ = true;
   publish_if_due(true);
@@ -177,8 +183,8 @@ void ModelThread::search_holes_if_grown() {
     Result<meshing::SurfaceMesh> mesh = meshing::mesh_surface(points, around_.meshing, Workers(1));
     release_free_memory();
     // Without a mesh there are too few points for holes.
-    thread_.post([this, began_s,
-                  found = mesh ? holes_of(*mesh, around_.volume_mm) : FoundHoles{}]() mutable {
+    post([this, began_s,
+          found = mesh ? holes_of(*mesh, around_.volume_mm) : FoundHoles{}]() mutable {
       take_holes(std::move(found), began_s);
     });
   });
@@ -198,7 +204,7 @@ void ModelThread::take_holes(FoundHoles found, double began_s) {
 }
 
 void ModelThread::show_holes(const meshing::SurfaceMesh& surface) {
-  thread_.post([this, found = holes_of(surface, around_.volume_mm)]() mutable {
+  post([this, found = holes_of(surface, around_.volume_mm)]() mutable {
     // The surfels' holes are searched as soon as the scan is no longer finished.
     has_grown_since_holes_ = is_at_rest_ = true;
     around_.board.update([&](ScanSnapshot& s) {

@@ -61,13 +61,14 @@ class ModelThread {
   void with_textures(std::function<void(const std::vector<PlacedTexture>&)> use);
 
   /// Calls `then` on this thread after all earlier tasks.
-  void when_done(std::function<void()> then) { thread_.post(std::move(then)); }
+  void when_done(std::function<void()> then) { post(std::move(then)); }
 
   /// Tasks that are waiting or running.
   [[nodiscard]] std::size_t pending() const { return thread_.pending(); }
   void stop() { thread_.stop(); }
 
  private:
+  void post(std::function<void()> task);
   // On the thread.
   void begin_rebuild(std::vector<AlignedView> views, bool is_other);
   void continue_rebuild();
