@@ -164,6 +164,7 @@ void GrowingScan::register_view(const IntakeResult& result, const std::shared_pt
   board_.update([&](ScanSnapshot& s) {
     s.match_share = registrar_->entry_share();
     s.lost_sensor = registrar_->lost_sensor();
+    s.surface_hold = registrar_->surface_hold();
   });
   hand_over_growth(result.offered_at_s);
 }
@@ -281,6 +282,7 @@ void GrowingScan::step(ScanEvent event, const std::function<void(ScanSnapshot&)>
   board_.update([&](ScanSnapshot& s) {
     s.phase = next;
     if (before == ScanPhase::kFinished) s.result = nullptr;
+    if (next != ScanPhase::kMeasurement) s.surface_hold = {};
     if (next != ScanPhase::kContinuation) {
       s.reentry.clear();
       s.lost_sensor = {};

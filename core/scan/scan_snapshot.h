@@ -20,6 +20,7 @@
 #include "core/reconstruct/finish_scan.h"
 #include "core/scan/scan_state.h"
 #include "core/tracking/lost_sensor.h"
+#include "core/tracking/surface_hold.h"
 
 namespace flytri::scan {
 
@@ -115,7 +116,8 @@ struct ScanSnapshot {
   /// 0..1: how close the latest views came to being registered, see Registrar::entry_share(). 0 if
   /// the sensor sees nothing.
   double match_share = 0.0;
-  tracking::LostSensor lost_sensor;  ///< in continuation
+  tracking::LostSensor lost_sensor;    ///< in continuation
+  tracking::SurfaceHold surface_hold;  ///< in measurement
 
   editing::EditList edits;
   bool can_undo = false, can_redo = false;

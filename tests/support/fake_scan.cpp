@@ -146,6 +146,17 @@ struct FakeScan::Parts {
     return view;
   }
 
+  [[nodiscard]] AppView flat() const {
+    AppView view = scanning();
+    scan::ScanSnapshot scan = *view.scan;
+    const Isometry& T_world_sensor = *scan.T_world_sensor;
+    scan.surface_hold = {0.7, true,
+                         tracking::WeakDirection{T_world_sensor.translation(),
+                                                 T_world_sensor.linear().col(0), false}};
+    set_scan(view, std::move(scan));
+    return view;
+  }
+
   [[nodiscard]] AppView tongue_gone() const {
     AppView view = scanning();
     scan::ScanSnapshot scan = *view.scan;
@@ -525,7 +536,8 @@ std::optional<ui::AppView> FakeScan::view(std::string_view state, const ui::Text
       [&] { return parts.setting_up(ui::SetupStep::kWorking); },
       [&] { return parts.setting_up(ui::SetupStep::kAsking); },
       [&] { return parts.setting_up(ui::SetupStep::kDone); },
-      [&] { return parts.setting_up(ui::SetupStep::kFailed); }};
+      [&] { return parts.setting_up(ui::SetupStep::kFailed); },
+      [&] { return parts.flat(); }};
   std::optional<AppView> view;
   const auto found = std::find(kFakeStates.begin(), kFakeStates.end(), state);
   if (std::find(kExportStates.begin(), kExportStates.end(), state) != kExportStates.end()) {

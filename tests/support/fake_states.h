@@ -12,7 +12,7 @@ inline constexpr std::array kFakeStates = {
     "set_refused", "calibrated", "check_broken", "lost_smooth",   "damaged",      "cleared",
     "recording",   "bite",       "closing",      "jaws",          "jaws_refused", "prepared",
     "reviewed",    "other_side", "two_bites",    "scan_body",     "preop",        "setting_up",
-    "setup_asks",  "set_up",     "setup_failed"};
+    "setup_asks",  "set_up",     "setup_failed", "flat"};
 
 /// States of the export dialog, all of a finished scan: files exist, they are being written, they
 /// were written, it failed.

@@ -26,6 +26,18 @@ void add_reentry(const PanelContext& context, SceneContent& content) {
   }
 }
 
+/// Where the sensor is, and in which direction the surface does not hold it.
+void add_measuring_sensor(const PanelContext& context, SceneContent& content) {
+  const scan::ScanSnapshot& scan = *context.view.scan;
+  const Vec3& volume_mm = context.view.volume_mm;
+  content.sensors.push_back({*scan.T_world_sensor, volume_mm, false});
+  if (!scan.surface_hold.is_weak || !scan.surface_hold.direction) return;
+  const tracking::WeakDirection& weak = *scan.surface_hold.direction;
+  // Above the surface, where it is not hidden.
+  const Vec3 above_mm = scan.T_world_sensor->linear() * Vec3(0.0, 0.0, -0.1 * volume_mm.z());
+  content.slip = SceneSlip{weak.center_mm + above_mm, weak.direction, weak.is_turn};
+}
+
 void add_preview(const PanelContext& context, SceneContent& content) {
   PreviewContent preview;
   preview.volume_mm = context.view.volume_mm;
@@ -44,9 +56,7 @@ void add_phase(const PanelContext& context, SceneContent& content) {
       if (is_empty) add_preview(context, content);
       break;
     case scan::ScanPhase::kMeasurement:
-      if (scan.T_world_sensor && context.view.is_scanning) {
-        content.sensors.push_back({*scan.T_world_sensor, context.view.volume_mm, false});
-      }
+      if (scan.T_world_sensor && context.view.is_scanning) add_measuring_sensor(context, content);
       break;
     case scan::ScanPhase::kContinuation:
       add_reentry(context, content);

@@ -29,6 +29,10 @@ Status waiting_status(const AppView& view) {
 Status scanning_status(const AppView& view) {
   switch (view.scan->phase) {
     case scan::ScanPhase::kMeasurement:
+      if (view.scan->surface_hold.is_weak) {
+        return status_with(view, kCaution, icon::kWarning, Text::kStatusFlat,
+                           view.texts[Text::kStatusFlatHint]);
+      }
       return status_with(view, kGood, icon::kScan, Text::kStatusScanning, {});
     case scan::ScanPhase::kContinuation: {
       const auto way = way_back(*view.scan);

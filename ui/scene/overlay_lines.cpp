@@ -104,23 +104,53 @@ void add_sensor(Pen& pen, const SceneSensor& sensor, double now_s) {
   }
 }
 
-/// Its head lies in the plane of the picture, so that it never looks like a line.
-void add_arrow(Pen& pen, const SceneArrow& arrow, const Eye& eye, const Color& color = kCaution) {
-  const Vec3 way = arrow.to_mm - arrow.from_mm;
-  const double length_mm = way.norm();
+/// The head of the arrow lies in the plane of the picture, so that it never looks like a line.
+/// @param along_mm  corners of the arrow, at least two
+void add_bent_arrow(Pen& pen, const std::vector<Vec3>& along_mm, const Eye& eye,
+                    const Color& color) {
+  double length_mm = 0.0;
+  for (std::size_t i = 1; i < along_mm.size(); ++i)
+    length_mm += (along_mm[i] - along_mm[i - 1]).norm();
   if (length_mm < 1e-6) return;
-  const Vec3 along = way / length_mm;
+  const Vec3 tip_mm = along_mm.back();
+  const Vec3 along = (tip_mm - along_mm[along_mm.size() - 2]).stableNormalized();
   const Vec3 look = eye.T_eye_world.block<1, 3>(2, 0).transpose().cast<double>();
   const Vec3 across = along.cross(look).stableNormalized();
   const double head_mm = std::min(0.5 * length_mm, 0.03 * eye.height_mm);
   const auto stroke = [&](double width_px, const Color& ink) {
-    pen.line(arrow.from_mm, arrow.to_mm, width_px, ink);
+    for (std::size_t i = 1; i < along_mm.size(); ++i)
+      pen.line(along_mm[i - 1], along_mm[i], width_px, ink);
     for (const double side : {-0.6, 0.6}) {
-      pen.line(arrow.to_mm - head_mm * (along + side * across), arrow.to_mm, width_px, ink);
+      pen.line(tip_mm - head_mm * (along + side * across), tip_mm, width_px, ink);
     }
   };
   stroke(7.0, kCasing);
   stroke(4.0, color);
+}
+
+void add_arrow(Pen& pen, const SceneArrow& arrow, const Eye& eye, const Color& color = kCaution) {
+  add_bent_arrow(pen, {arrow.from_mm, arrow.to_mm}, eye, color);
+}
+
+/// Two arrows, to both sides: along the direction, or around it.
+void add_slip(Pen& pen, const SceneSlip& slip, const Eye& eye) {
+  constexpr double kFrom_mm = 1.5, kTo_mm = 7.0, kRadius_mm = 5.0;
+  constexpr int kCorners = 24;
+  const Vec3 x = slip.direction.unitOrthogonal(), y = slip.direction.cross(x);
+  for (const double side : {-1.0, 1.0}) {
+    std::vector<Vec3> along_mm;
+    if (slip.is_turn) {
+      for (int i = 0; i <= kCorners; ++i) {
+        const double angle_rad = side * (0.2 + 1.8 * i / kCorners);
+        along_mm.emplace_back(slip.center_mm +
+                              kRadius_mm * (std::cos(angle_rad) * x + std::sin(angle_rad) * y));
+      }
+    } else {
+      along_mm = {slip.center_mm + side * kFrom_mm * slip.direction,
+                  slip.center_mm + side * kTo_mm * slip.direction};
+    }
+    add_bent_arrow(pen, along_mm, eye, kCaution);
+  }
 }
 
 /// Of the occlusal plane: lines a fixed distance apart, which cross at its origin.
@@ -276,6 +306,7 @@ std::vector<OverlayLine> overlay_lines(const SceneContent& content, const SceneO
   }
   for (const SceneSensor& sensor : content.sensors) add_sensor(pen, sensor, now_s);
   if (content.way_back) add_arrow(pen, *content.way_back, eye);
+  if (content.slip) add_slip(pen, *content.slip, eye);
   if (content.preview) add_preview(pen, *content.preview, step_mm);
   add_holes(pen, content, eye);
   for (const MeasuredSegment& segment : content.measurements) add_measurement(pen, segment, eye);

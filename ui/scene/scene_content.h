@@ -43,6 +43,13 @@ struct SceneArrow {
   Vec3 to_mm = Vec3::Zero();
 };
 
+/// How the sensor could slide or turn without the surface showing it, world frame.
+struct SceneSlip {
+  Vec3 center_mm = Vec3::Zero();
+  Vec3 direction = Vec3::UnitX();  ///< unit; of a turn: its axis
+  bool is_turn = false;
+};
+
 /// The occlusal plane: a grid around the jaw, and the axes of the patient.
 struct ScenePlane {
   Isometry T_world_patient = Isometry::Identity();  ///< the plane is z = 0
@@ -96,6 +103,7 @@ struct SceneContent {
   std::vector<AlignedView> highlighted;  ///< drawn as bright profiles on the model
   std::vector<SceneSensor> sensors;
   std::optional<SceneArrow> way_back;  ///< where to move a lost sensor
+  std::optional<SceneSlip> slip;
   std::optional<PreviewContent> preview;
 
   const std::vector<meshing::BoundaryLoop>* holes = nullptr;  ///< the outer border is not drawn

@@ -83,6 +83,10 @@ FLYTRI_TEXT(kStatusDarkHint, "Click this window to turn them on",
             "Cliquer dans cette fenêtre pour le rallumer",
             "Hacer clic en esta ventana para encenderlas")
 FLYTRI_TEXT(kStatusScanning, "Scanning", "Scan läuft", "Scan en cours", "Escaneando")
+FLYTRI_TEXT(kStatusFlat, "Flat here", "Flache Stelle", "Zone plate", "Zona plana")
+FLYTRI_TEXT(kStatusFlatHint, "Include a tooth or the ridge",
+            "Einen Zahn oder den Kieferkamm mit erfassen", "Inclure une dent ou la crête",
+            "Incluir un diente o la cresta")
 FLYTRI_TEXT(kStatusLost, "Tracking lost", "Position verloren", "Position perdue",
             "Posición perdida")
 FLYTRI_TEXT(kStatusLostHint, "Return to the marked area", "Zur markierten Stelle zurückkehren",

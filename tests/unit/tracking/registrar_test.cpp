@@ -420,6 +420,33 @@ TEST(Registrar, IsFoundAnywhereHoweverItIsHeld) {
   }
 }
 
+TEST(Registrar, SaysInWhichDirectionTheSurfaceDoesNotHoldTheSensor) {
+  // From y = 0 on, the waves become lower, down to a twentieth.
+  const testing::HeightField flatter_from_0 = [](double x, double y) {
+    const double height = y < 0.0 ? 1.0 : 0.05 + 0.95 * std::exp(-y / 3.0);
+    return height * testing::cusped_height(x, y);
+  };
+  Registrar registrar = Registrar::create().value();
+  int frame = 0;
+  for (; frame < 180 && !registrar.surface_hold().is_weak; ++frame) {
+    Random random(17, static_cast<std::uint64_t>(frame));
+    const Isometry T_scene_sensor(Eigen::Translation3d(0.0, -16.0 + 0.3 * frame, 0.0));
+    auto view = std::make_shared<View>(testing::measure_scene(
+        flatter_from_0, {}, frame % 2 == 0 ? Pattern::kVertical : Pattern::kHorizontal,
+        T_scene_sensor, random));
+    view->frame = FrameIndex(frame);
+    view->time_s = frame / 30.0;
+    const RegisteredView registered = registrar.add(view);
+    EXPECT_TRUE(frame < 20 || registered.fate == ViewFate::kRegistered) << frame;
+  }
+  EXPECT_GT(frame, 80) << "until then, half of the view has structure";
+  ASSERT_TRUE(registrar.surface_hold().is_weak);
+  const WeakDirection weak = registrar.surface_hold().direction.value();
+  EXPECT_FALSE(weak.is_turn);
+  EXPECT_LT(std::abs(weak.direction.z()), 0.1) << "the distance is known";
+  EXPECT_NEAR(weak.center_mm.y(), 0.3 * frame, 2.0) << "relative to the first view";
+}
+
 TEST(Registrar, SaysThatTheSurfaceIsTooSmoothWhereTheSensorWasPut) {
   const testing::HeightField flat_from_5 = [](double x, double y) {
     return x > 5.0 ? 0.0 : testing::cusped_height(x, y);

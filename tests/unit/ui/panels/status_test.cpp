@@ -37,6 +37,16 @@ TEST(Status, SaysThatTheCaseIsDamagedOrCannotBeRead) {
   EXPECT_EQ(status_of(view).color, kBad);
 }
 
+TEST(Status, WarnsWhereTheSurfaceIsFlat) {
+  AppView view = scanning(scan::ScanPhase::kMeasurement);
+  scan::ScanSnapshot scan = *view.scan;
+  scan.surface_hold.is_weak = true;
+  view.scan = std::make_shared<const scan::ScanSnapshot>(scan);
+  EXPECT_EQ(status_of(view).text, "Flat here");
+  EXPECT_EQ(status_of(view).color, kCaution);
+  EXPECT_NE(status_of(view).hint, "");
+}
+
 TEST(Status, ALostScanIsSaidFirst) {
   AppView view = scanning(scan::ScanPhase::kContinuation);
   view.file.failure = "no space left";
