@@ -286,9 +286,10 @@ void add_table2_study(CLI::App& study, cli::Invocation& invocation) {
       "Add noise as measured, too: that of the planes of this calibration set, a folder with "
       "calibration-set.json");
   command
-      ->add_option("--noise-exposures", arguments->noise_exposures,
-                   "Exposures averaged in each image of that set, whose noise is independent: one "
-                   "has the root of it times more noise")
+      ->add_option(
+          "--noise-exposures", arguments->noise_exposures,
+          "Exposures averaged in each image of that set: the noise of one is larger by the "
+          "square root, if theirs is independent")
       ->needs(noise_from)
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
