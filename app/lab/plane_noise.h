@@ -16,8 +16,8 @@ namespace flytri::lab {
 /// polynomial of degree 5 along it. That removes what is systematic: errors of the calibration, a
 /// tilt or bend of the plane. Noise slower than about a third of a profile is removed with it, so
 /// the series have no noise of a whole profile or line.
-/// @param exposures  >= 1, averaged in each image: the noise of one is larger by the square root, if
-///                   it is independent. Speckle on a plane at rest is not.
+/// @param exposures  >= 1, averaged in each image. If their noise is independent (that of
+///                   speckle on a plane at rest is not), one has more by the square root.
 /// @errors  As measure_view; kInsufficient: too few lines are seen inside the volume.
 [[nodiscard]] Result<simulated::MeasuredNoise> plane_noise(
     const calibration::CalibrationSet& set, const calibration::Calibration& calibration,
