@@ -10,6 +10,7 @@
 #include "core/geometry/triangle_mesh.h"
 #include "core/geometry/view.h"
 #include "hw/simulated/optics/sensor_path.h"
+#include "hw/simulated/optics/view_noise.h"
 #include "hw/simulated/optics/view_simulator.h"
 
 namespace flytri::lab {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/lab/length_error.h"
+#include "app/lab/plane_noise.h"
 #include "app/lab/simulated_scan.h"
 #include "app/lab/studies.h"
 #include "assets/sample_jaw/sample_jaw.h"
@@ -29,6 +30,8 @@ using Json = nlohmann::ordered_json;
 struct Table2Arguments {
   SeedArguments seeds{{}, false, 1, 1, {}};
   int view_count = 1000;
+  std::filesystem::path noise_from;
+  int noise_exposures = 1;
   int thread_count = 0;
 };
 
@@ -38,6 +41,9 @@ constexpr double kSigma_mm = 0.03;
 constexpr double kIdealSigma_mm = 1e-6;
 /// Noise is correlated over this many neighboring rows, if speckle or smoothing correlates it.
 constexpr double kCorrelationSamples = 1.5;
+/// Keys of a record with measured noise.
+constexpr const char* kMeasured = "measured";
+constexpr const char* kNoiseOfPlanes = "noise_of_planes";
 
 /// RMS of the errors of neighboring views, µm: so many parts that a plot shows them.
 Json over_views(const std::vector<double>& errors_mm) {
@@ -120,25 +126,46 @@ Result<Json> scan_figures(const TriangleMesh& jaw, const SimulatedScanOptions& o
   return figures;
 }
 
-Result<Json> measure(const Table2Arguments& arguments, const TriangleMesh& jaw, std::uint64_t seed,
-                     const Workers& workers, const Progress& progress) {
-  struct Noise {
-    const char* name;
-    double sigma_mm, correlation_samples;
-  };
-  constexpr std::array<Noise, 3> kNoises = {{{"ideal", kIdealSigma_mm, 0.0},
-                                             {"white", kSigma_mm, 0.0},
-                                             {"correlated", kSigma_mm, kCorrelationSamples}}};
+/// Noise of single points, and its name in records.
+struct NamedNoise {
+  const char* name;
+  simulated::ViewNoise noise;
+};
+
+/// What measured noise is like at the nearest, a middle and the farthest plane.
+Json describe(const simulated::MeasuredNoise& noise) {
+  const std::vector<double> depths_mm = noise.depths_mm(Pattern::kVertical);
+  Json planes = Json::array();
+  for (const double z_mm : {depths_mm.front(), depths_mm[depths_mm.size() / 2], depths_mm.back()}) {
+    const NoiseFigures figures = noise_figures(noise, z_mm);
+    planes.push_back({{"z_mm", z_mm},
+                      {"sigma_um", kMicrons * figures.sigma_mm},
+                      {"stated_um", kMicrons * figures.stated_mm},
+                      {"correlation_samples", figures.correlation_samples},
+                      {"kurtosis", figures.kurtosis},
+                      {"beyond_3_sigma_percent", 100.0 * figures.beyond_3_sigma}});
+  }
+  return planes;
+}
+
+/// @param measured  null: without measured noise
+Result<Json> measure(const Table2Arguments& arguments, const TriangleMesh& jaw,
+                     const std::shared_ptr<const simulated::MeasuredNoise>& measured,
+                     std::uint64_t seed, const Workers& workers, const Progress& progress) {
+  std::vector<NamedNoise> noises = {{"ideal", {kIdealSigma_mm, 0.0, seed}},
+                                    {"white", {kSigma_mm, 0.0, seed}},
+                                    {"correlated", {kSigma_mm, kCorrelationSamples, seed}}};
+  if (measured) noises.push_back({kMeasured, {.seed = seed, .measured = measured}});
   Json record = {{"views", arguments.view_count}};
-  for (const Noise& noise : kNoises) {
+  if (measured) record[kNoiseOfPlanes] = describe(*measured);
+  for (const NamedNoise& named : noises) {
     SimulatedScanOptions options;
     options.view_count = arguments.view_count;
-    options.path.seed = options.noise.seed = seed;
-    options.noise.sigma_mm = noise.sigma_mm;
-    options.noise.correlation_samples = noise.correlation_samples;
+    options.path.seed = seed;
+    options.noise = named.noise;
     auto figures = scan_figures(jaw, options, workers, progress);
     if (!figures) return figures;
-    record[noise.name] = *std::move(figures);
+    record[named.name] = *std::move(figures);
   }
   return record;
 }
@@ -178,16 +205,57 @@ std::string over_seeds(const Json& records, const char* noise, const Table2Row& 
   return fmt::format("{:.{}f} ({:.{}f})", quantile_of(values, 0.5), decimals, largest, decimals);
 }
 
+Result<std::shared_ptr<const simulated::MeasuredNoise>> measured_noise(
+    const Table2Arguments& arguments, const Workers& workers, const Progress& progress) {
+  if (arguments.noise_from.empty()) return nullptr;
+  auto noise = read_plane_noise(arguments.noise_from, arguments.noise_exposures, workers, progress);
+  if (!noise) return tl::unexpected(noise.error());
+  return std::make_shared<const simulated::MeasuredNoise>(*std::move(noise));
+}
+
+Result<void> run(const Table2Arguments& arguments, const Progress& progress) {
+  const Workers workers(arguments.thread_count);
+  const auto jaw = sample_jaw::make_sample_jaw({}, workers);
+  if (!jaw) return tl::unexpected(jaw.error());
+  const auto noise = measured_noise(arguments, workers, progress);
+  if (!noise) return tl::unexpected(noise.error());
+  SeededStudy table2 = {{{"views", arguments.view_count}}, [&](std::uint64_t seed) {
+                          return measure(arguments, *jaw, *noise, seed, workers, progress);
+                        }};
+  if (*noise) {
+    // Its name alone: parts may run on machines that keep the set in other places.
+    table2.options["noise_from"] =
+        std::filesystem::weakly_canonical(arguments.noise_from).filename().string();
+    table2.options["noise_exposures"] = arguments.noise_exposures;
+  }
+  return run_seeds(table2, kTable2Printer, arguments.seeds);
+}
+
+void print_noise(const Json& planes) {
+  fmt::print("\n{:<12} {:>9} {:>10} {:>22} {:>9} {:>15}\n", "noise at z", "sigma, µm", "stated, µm",
+             "correlated, samples", "kurtosis", "beyond 3 sigma");
+  for (const Json& plane : planes) {
+    fmt::print("{:>9.1f} mm {:>9.1f} {:>10.1f} {:>22.2f} {:>9.2f} {:>13.2f} %\n",
+               plane.at("z_mm").get<double>(), plane.at("sigma_um").get<double>(),
+               plane.at("stated_um").get<double>(), plane.at("correlation_samples").get<double>(),
+               plane.at("kurtosis").get<double>(),
+               plane.at("beyond_3_sigma_percent").get<double>());
+  }
+}
+
 }  // namespace
 
 void print_table2(const Json& records) {
   fmt::print("\n{} scans of {} views; µm, median and largest over the scans\n", records.size(),
              records.front().at("views").get<int>());
-  constexpr std::array<const char*, 3> kNoises = {"white", "correlated", "ideal"};
+  const bool has_measured = records.front().contains(kMeasured);
+  std::vector<const char*> noises = {"white", "correlated"};
+  if (has_measured) noises.push_back(kMeasured);
+  noises.push_back("ideal");
   fmt::print("{:<38} {:>6}", "", "paper");
-  for (const char* noise : kNoises) fmt::print(" {:>17}", noise);
+  for (const char* noise : noises) fmt::print(" {:>17}", noise);
   fmt::print("\n{:<38} {:>6}", "registered views, least", "");
-  for (const char* noise : kNoises) {
+  for (const char* noise : noises) {
     int least = std::numeric_limits<int>::max();
     for (const Json& record : records) {
       least = std::min(least, record.at(noise).at("registered").get<int>());
@@ -197,9 +265,10 @@ void print_table2(const Json& records) {
   for (const Table2Row& row : kRows) {
     fmt::print("\n{:<38} {:>6}", row.name,
                row.paper > 0.0 ? fmt::format("{:.0f}", row.paper) : std::string());
-    for (const char* noise : kNoises) fmt::print(" {:>17}", over_seeds(records, noise, row));
+    for (const char* noise : noises) fmt::print(" {:>17}", over_seeds(records, noise, row));
   }
   fmt::print("\n");
+  if (has_measured) print_noise(records.front().at(kNoiseOfPlanes));
 }
 
 void add_table2_study(CLI::App& study, cli::Invocation& invocation) {
@@ -212,18 +281,24 @@ void add_table2_study(CLI::App& study, cli::Invocation& invocation) {
   command->add_option("--views", arguments->view_count, "Views of each scan")
       ->check(CLI::Range(20, 5000))
       ->capture_default_str();
+  const auto noise_from = command->add_option(
+      "--noise-from", arguments->noise_from,
+      "Add noise as measured, too: that of the planes of this calibration set, a folder with "
+      "calibration-set.json");
+  command
+      ->add_option(
+          "--noise-exposures", arguments->noise_exposures,
+          "Exposures averaged in each image of that set: the noise of one is larger by the "
+          "square root, if theirs is independent")
+      ->needs(noise_from)
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   cli::add_threads_option(*command, arguments->thread_count);
-  command->footer("Example: flytri-lab table2 --seeds 10 -o table2.json");
+  command->footer(
+      "Examples: flytri-lab table2 --seeds 10 -o table2.json\n"
+      "          flytri-lab table2 --noise-from scans/calibration-set");
   command->callback([arguments, &invocation] {
-    invocation.job = [arguments](const Progress& progress) -> Result<void> {
-      const Workers workers(arguments->thread_count);
-      const auto jaw = sample_jaw::make_sample_jaw({}, workers);
-      if (!jaw) return tl::unexpected(jaw.error());
-      const SeededStudy table2 = {{{"views", arguments->view_count}}, [&](std::uint64_t seed) {
-                                    return measure(*arguments, *jaw, seed, workers, progress);
-                                  }};
-      return run_seeds(table2, kTable2Printer, arguments->seeds);
-    };
+    invocation.job = [arguments](const Progress& progress) { return run(*arguments, progress); };
   });
 }
 

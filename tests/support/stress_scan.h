@@ -7,6 +7,7 @@
 
 #include "core/tracking/registrar.h"
 #include "hw/simulated/optics/sensor_path.h"
+#include "hw/simulated/optics/view_noise.h"
 #include "hw/simulated/optics/view_simulator.h"
 
 namespace flytri::testing {

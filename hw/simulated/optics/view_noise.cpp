@@ -1,9 +1,10 @@
+#include "hw/simulated/optics/view_noise.h"
+
 #include <cmath>
 #include <vector>
 
 #include "core/base/check_options.h"
 #include "core/base/random.h"
-#include "hw/simulated/optics/view_simulator.h"
 
 namespace flytri::simulated {
 namespace {
@@ -31,6 +32,25 @@ std::vector<double> correlated_normals(std::size_t count, const std::vector<doub
   return smooth;
 }
 
+void add_normal_noise(Profile& profile, const ViewNoise& noise, const std::vector<double>& kernel,
+                      Random& random) {
+  const std::vector<double> normals = correlated_normals(profile.points.size(), kernel, random);
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    profile.points[i].position_mm.z() += noise.sigma_mm * normals[i];
+    profile.points[i].deviation_mm = Vec3f(0.0F, 0.0F, static_cast<float>(noise.sigma_mm));
+  }
+}
+
+void add_measured_noise(Profile& profile, Pattern pattern, const MeasuredNoise& noise,
+                        Random& random) {
+  const std::vector<NoiseSample> samples = noise.draw(pattern, profile, random);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    profile.points[i].position_mm.z() += samples[i].off_mm;
+    // As in a real view: what the localization states of each sample, not its true noise.
+    profile.points[i].deviation_mm = Vec3f(0.0F, 0.0F, samples[i].stated_mm);
+  }
+}
+
 }  // namespace
 
 Result<void> ViewNoise::validate() const {
@@ -45,10 +65,10 @@ View add_noise(const View& ideal, const ViewNoise& noise, std::uint64_t stream) 
   Random random(noise.seed, stream);
   View noisy = ideal;
   for (Profile& profile : noisy.profiles) {
-    const std::vector<double> normals = correlated_normals(profile.points.size(), kernel, random);
-    for (std::size_t i = 0; i < normals.size(); ++i) {
-      profile.points[i].position_mm.z() += noise.sigma_mm * normals[i];
-      profile.points[i].deviation_mm = Vec3f(0.0F, 0.0F, static_cast<float>(noise.sigma_mm));
+    if (noise.measured) {
+      add_measured_noise(profile, noisy.pattern, *noise.measured, random);
+    } else {
+      add_normal_noise(profile, noise, kernel, random);
     }
   }
   return noisy;

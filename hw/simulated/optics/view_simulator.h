@@ -1,9 +1,7 @@
-/// @file  Simulates the view that an ideal sensor measures of a mesh, and adds noise.
+/// @file  Simulates the view that an ideal sensor measures of a mesh.
 ///
 /// @source  Arold et al., section "Simulation": a virtual sensor acquires views from a model.
 #pragma once
-
-#include <cstdint>
 
 #include "core/base/result.h"
 #include "core/geometry/triangle_mesh.h"
@@ -53,20 +51,5 @@ class ViewSimulator {
   SensorModel sensor_;
   ViewOptions options_;
 };
-
-/// Noise of single points, as in the paper's simulation toolbox.
-struct ViewNoise {
-  /// >= 0, standard deviation along z; default: the paper's intra-oral sensor.
-  double sigma_mm = 0.03;
-  /// >= 0. Correlation of the noise along a line: white noise is smoothed by a Gaussian with this
-  /// standard deviation in samples, then scaled to `sigma_mm`. 0: white noise.
-  double correlation_samples = 0.0;
-  std::uint64_t seed = 1;
-  [[nodiscard]] Result<void> validate() const;
-};
-
-/// A copy of `ideal` with each point moved along z. Points, profiles and their order are the same,
-/// so that errors can be computed point by point. Equal `stream` and seed give equal noise.
-[[nodiscard]] View add_noise(const View& ideal, const ViewNoise& noise, std::uint64_t stream);
 
 }  // namespace flytri::simulated

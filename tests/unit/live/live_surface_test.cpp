@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "hw/simulated/optics/view_noise.h"
 #include "hw/simulated/optics/view_simulator.h"
 #include "tests/support/orthographic_calibration.h"
 
