@@ -38,7 +38,7 @@ constexpr std::array kDepths_mm = {-4.5, 0.0, 4.5};
 constexpr std::array kTilts_degrees = {-60.0, -30.0, 0.0, 30.0, 60.0};
 /// Of the highlight from the middle of a line: within the line, at its sides, and outside it.
 constexpr std::array kOffsets_mm = {-0.15, -0.1, -0.05, 0.0, 0.05, 0.1, 0.15};
-/// A point farther from the surface is off: more than three times the noise of a sprayed one.
+/// A point farther from the surface is off: 2.5 times the scatter of a sprayed one, or more.
 constexpr double kOff_um = 50.0;
 
 struct NamedSurface {
@@ -46,7 +46,7 @@ struct NamedSurface {
   ToothSurface surface;
 };
 
-/// The first one is the sprayed one.
+/// Sprayed, bare enamel, two more that are bare, wet.
 std::vector<NamedSurface> surfaces_of(double dry_share) {
   // Water fills the roughness of the surface, so that less light is reflected without entering.
   constexpr double kWetShare = 0.5;
@@ -85,7 +85,7 @@ Result<void> measure_trial(EnamelTrial& trial, const std::vector<NamedSurface>& 
     if (!samples) return tl::unexpected(samples.error());
     trial.samples.push_back(*std::move(samples));
   }
-  trial.scene.mesh = {};
+  trial.scene.mesh = {};  // no longer needed, and large
   return {};
 }
 
@@ -176,7 +176,7 @@ std::vector<double> means_of(const Samples& samples, ShapeProperty which, std::s
 constexpr std::size_t kNeighbors = 16;
 constexpr double kFalseAlarms = 0.01;
 
-/// Share of the bare samples above the value that 1 % of the sprayed ones exceed.
+/// Share of the bare samples above the value that kFalseAlarms of the sprayed ones exceed.
 double detected(const Samples& bare, const Samples& sprayed, ShapeProperty which,
                 std::size_t neighbors) {
   std::vector<double> usual = means_of(sprayed, which, neighbors);
@@ -305,6 +305,24 @@ void print_shapes(const Json& shapes) {
       kOff_um, 100.0 * kFalseAlarms, kNeighbors);
 }
 
+Result<void> write_files(const EnamelArguments& arguments,
+                         const std::vector<NamedSurface>& surfaces, const Json& records) {
+  if (!arguments.picture.empty()) {
+    const auto picture =
+        enamel_picture(simulated::intraoral_sensor(),
+                       {surfaces[0].surface, surfaces[1].surface, surfaces.back().surface});
+    if (!picture) return tl::unexpected(picture.error());
+    auto written = cli::write_drawings({{arguments.picture, *picture}});
+    if (!written) return written;
+  }
+  if (arguments.output.empty()) return {};
+  Json document = {{"format", kStudyFormat}, {"version", 1},
+                   {"study", "enamel"},      {"images", arguments.image_count},
+                   {"seed", arguments.seed}, {"surface_share", arguments.dry_share}};
+  document.update(records);
+  return io::write_file(arguments.output, document.dump(1) + "\n");
+}
+
 Result<void> run(const EnamelArguments& arguments, const Progress& progress) {
   auto checked = cli::check_output_files({}, {{arguments.output, kStudyFormat}}, arguments.force);
   if (!checked) return checked;
@@ -322,19 +340,7 @@ Result<void> run(const EnamelArguments& arguments, const Progress& progress) {
   print_planes(records.at("planes"));
   print_highlights(records.at("highlights"));
   print_shapes(records.at("shapes"));
-  if (!arguments.picture.empty()) {
-    const auto picture =
-        enamel_picture(sensor, {surfaces[0].surface, surfaces[1].surface, surfaces[4].surface});
-    if (!picture) return tl::unexpected(picture.error());
-    auto written = cli::write_drawings({{arguments.picture, *picture}});
-    if (!written) return written;
-  }
-  if (arguments.output.empty()) return {};
-  Json document = {{"format", kStudyFormat}, {"version", 1},
-                   {"study", "enamel"},      {"images", arguments.image_count},
-                   {"seed", arguments.seed}, {"surface_share", arguments.dry_share}};
-  document.update(records);
-  return io::write_file(arguments.output, document.dump(1) + "\n");
+  return write_files(arguments, surfaces, records);
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ class SubsurfaceSpread {
   [[nodiscard]] const std::vector<double>& shares() const { return shares_; }
   /// Across the line, of the middle of a cell.
   [[nodiscard]] double position_mm(std::size_t cell) const {
-    return (static_cast<double>(cell) - static_cast<double>(shares_.size() / 2)) * kCell_mm;
+    const std::size_t middle = shares_.size() / 2;
+    return (static_cast<double>(cell) - static_cast<double>(middle)) * kCell_mm;
   }
   /// Share that comes out anywhere, from the integrals of the sources; the rest is absorbed.
   [[nodiscard]] double total() const { return total_; }

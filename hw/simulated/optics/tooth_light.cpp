@@ -41,8 +41,9 @@ class Halo {
 
   // Linear between the cells; 0 where no light is computed.
   [[nodiscard]] double operator()(double across) const {
+    const std::size_t middle = light_.size() / 2;
     const double cell = (across - geometry_.line) / geometry_.across_per_mm / kCell_mm +
-                        static_cast<double>(light_.size() / 2);
+                        static_cast<double>(middle);
     if (cell < 0.0 || cell >= static_cast<double>(light_.size() - 1)) return 0.0;
     const auto i = static_cast<std::size_t>(cell);
     return light_[i] + (cell - static_cast<double>(i)) * (light_[i + 1] - light_[i]);
@@ -117,6 +118,7 @@ ToothLight::ToothLight(const TriangleMesh& mesh, const TangentPlane& plane,
   const LineExposure exposure{
       scene, albedo, directions, blur_, Isometry::Identity(), {Isometry::Identity()}};
   std::vector<Ray> rays;
+  rays.reserve(directions.size());
   for (const Vec3& direction : directions) rays.push_back({camera_.center(), direction});
   std::vector<std::optional<RayHit>> hits(rays.size());
   scene.first_hits(rays, hits);

@@ -1,6 +1,6 @@
 #include "hw/simulated/optics/tooth_light.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <numeric>
@@ -88,10 +88,10 @@ constexpr double kDepth_mm = 2.0;
 
 class ToothLightOnAPlane : public ::testing::Test {
  protected:
-  ToothLightOnAPlane() { sensor_.chip.ambient_level = 0.0; }
+  ToothLightOnAPlane() { sensor.chip.ambient_level = 0.0; }
 
   [[nodiscard]] cv::Mat image(const ToothSurface& surface) const {
-    const ToothLight light(white_plane(kDepth_mm), {{0.0, 0.0, kDepth_mm}, -Vec3::UnitZ()}, sensor_,
+    const ToothLight light(white_plane(kDepth_mm), {{0.0, 0.0, kDepth_mm}, -Vec3::UnitZ()}, sensor,
                            Pattern::kVertical);
     return light.image(surface);
   }
@@ -112,17 +112,17 @@ class ToothLightOnAPlane : public ::testing::Test {
     return row;
   }
 
-  SensorModel sensor_ = intraoral_sensor();
+  SensorModel sensor = intraoral_sensor();
 };
 
 TEST_F(ToothLightOnAPlane, ASprayedSurfaceGivesTheUsualImageBitForBit) {
-  const auto simulator = ImageSimulator::create(white_plane(kDepth_mm), sensor_,
+  const auto simulator = ImageSimulator::create(white_plane(kDepth_mm), sensor,
                                                 {.bits = 16, .noise = false, .motion = false});
   const SensorPath path = SensorPath::from_poses({{0.0, Isometry::Identity()}}).value();
   const cv::Mat usual = simulator->measurement_image(Pattern::kVertical, path, 0.0, 0);
   const cv::Mat light = image({});
   const cv::Mat tooth =
-      Chip(sensor_.chip)
+      Chip(sensor.chip)
           .read_out({light, cv::Mat::zeros(light.size(), CV_32FC1)}, {.bits = 16, .noise = false});
   EXPECT_EQ(cv::countNonZero(usual != tooth), 0);
   EXPECT_GT(cv::countNonZero(tooth > 20000), 1000);
@@ -135,7 +135,7 @@ TEST_F(ToothLightOnAPlane, LightThatEntersIsSpreadAwayFromTheProjector) {
   const double leaves = SubsurfaceSpread(enamel(), kUpright).total();
   EXPECT_NEAR(row.light / white.light, 0.5 + 0.5 * leaves, 0.05);
   const double side =
-      sensor_.projector(Pattern::kVertical).center().x() - sensor_.camera.center().x();
+      sensor.projector(Pattern::kVertical).center().x() - sensor.camera.center().x();
   EXPECT_LT((row.mean_px - white.mean_px) * side, 0.0);
 }
 
