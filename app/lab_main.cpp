@@ -25,6 +25,7 @@ void set_up_command_line(CLI::App& lab, cli::Invocation& invocation) {
   add_live_command(lab, invocation);
   add_tissue_study(lab, invocation);
   add_lines_study(lab, invocation);
+  add_enamel_study(lab, invocation);
 }
 
 }  // namespace

@@ -41,5 +41,6 @@ void add_synchronization_study(CLI::App& lab, cli::Invocation& invocation);
 void add_live_command(CLI::App& lab, cli::Invocation& invocation);
 void add_tissue_study(CLI::App& lab, cli::Invocation& invocation);
 void add_lines_study(CLI::App& lab, cli::Invocation& invocation);
+void add_enamel_study(CLI::App& lab, cli::Invocation& invocation);
 
 }  // namespace flytri::lab

@@ -25,14 +25,6 @@ constexpr int kBand_px = 16;
 constexpr int kAmbientBlock_px = 8;
 // In real time, one ray per block with this side length; about the color resolution of a fine mesh.
 constexpr int kTextureBlock_px = 5;
-// Depth range outside the volume that is still simulated, in volume depths.
-constexpr double kSeenMargin = 1.5;
-
-LensBlur make_blur(const CameraModel& camera, const calibration::MeasurementVolume& volume) {
-  const double middle_mm = camera.center().norm();
-  const double margin_mm = (0.5 + kSeenMargin) * volume.size_mm.z();
-  return {camera, std::max(middle_mm - margin_mm, 0.3 * middle_mm), middle_mm + margin_mm};
-}
 
 // Number of blocks of `step_px` x `step_px` pixels that cover an image.
 cv::Size block_count(ImageSize size, int step_px) {
@@ -73,8 +65,8 @@ struct ImageSimulator::Parts {
         options(image_options),
         scene(mesh),
         colors(linear_colors(mesh)),
-        blur(make_blur(sensor.camera, sensor.volume)),
-        texture_blur(make_blur(sensor.texture_camera, sensor.volume)),
+        blur(LensBlur::around(sensor.volume, sensor.camera)),
+        texture_blur(LensBlur::around(sensor.volume, sensor.texture_camera)),
         texture_step_px(options.tracing == Tracing::kGrid ? kTextureBlock_px : 1),
         texture_directions(block_directions(sensor.texture_camera, texture_step_px)),
         chip(sensor.chip) {

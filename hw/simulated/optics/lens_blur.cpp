@@ -8,6 +8,8 @@ namespace flytri::simulated {
 namespace {
 
 constexpr double kRadiusStep_px = 0.05;
+// Depth range outside the volume that is still simulated, in volume depths.
+constexpr double kSeenMargin = 1.5;
 // Numbers that the processor computes at once (SIMD).
 constexpr int kVector = 8;
 using Vector = Eigen::Array<float, kVector, 1>;
@@ -84,6 +86,12 @@ double LensBlur::radius_px(double distance_mm) const {
 std::size_t LensBlur::index_of(double distance_mm) const {
   const auto index = static_cast<std::size_t>(std::lround(radius_px(distance_mm) / kRadiusStep_px));
   return std::min(index, kernels_.size() - 1);
+}
+
+LensBlur LensBlur::around(const calibration::MeasurementVolume& volume, const CameraModel& camera) {
+  const double middle_mm = camera.center().norm();
+  const double margin_mm = (0.5 + kSeenMargin) * volume.size_mm.z();
+  return {camera, std::max(middle_mm - margin_mm, 0.3 * middle_mm), middle_mm + margin_mm};
 }
 
 const cv::Mat& LensBlur::kernel(double distance_mm) const {

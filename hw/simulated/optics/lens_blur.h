@@ -14,6 +14,10 @@ class LensBlur {
   /// @param nearest_mm,  farthest_mm range of distances from the pupil that will be used
   LensBlur(const CameraModel& camera, double nearest_mm, double farthest_mm);
 
+  /// For what a camera sees in and around a measurement volume.
+  [[nodiscard]] static LensBlur around(const calibration::MeasurementVolume& volume,
+                                       const CameraModel& camera);
+
   /// Square kernel with odd sides and sum 1, CV_32FC1.
   [[nodiscard]] const cv::Mat& kernel(double distance_mm) const;
   /// Light is spread by at most this many pixels.
