@@ -96,7 +96,9 @@ bool Bench::wait_for_source() {
     if (view.source.is_lost) return false;
     if (view.scan != nullptr && view.scan->counts.offered > 0) return true;
     commands_.clear();
+    const double before_s = session_.now_s();
     if (!window_.frame(view, commands_)) return false;
+    session::rest_after_frame(session_.now_s() - before_s);
   }
 }
 
