@@ -7,7 +7,7 @@ namespace {
 
 // Parts of the cross-section, in widths from the middle of the line.
 constexpr double kCoreEnd = 1.5, kNearEnd = 2.5, kFarBegin = 5.0, kFarEnd = 6.0;
-constexpr int kSteps = 16;  // places in each part
+constexpr int kPlacesInPart = 16;  // places in each part
 
 // One row (vertical pattern) or column of an image.
 class CrossSection {
@@ -27,9 +27,9 @@ class CrossSection {
   }
   [[nodiscard]] double mean(double from_px, double to_px) const {
     double sum = 0.0;
-    for (int i = 0; i < kSteps; ++i)
-      sum += (*this)(from_px + (i + 0.5) / kSteps * (to_px - from_px));
-    return sum / kSteps;
+    for (int i = 0; i < kPlacesInPart; ++i)
+      sum += (*this)(from_px + (i + 0.5) / kPlacesInPart * (to_px - from_px));
+    return sum / kPlacesInPart;
   }
 
  private:

@@ -199,10 +199,13 @@ std::uint32_t LiveSurface::cell_at(const SeenPoint& point) {
 }
 
 void LiveSurface::attach_to_normal_cell(std::uint32_t cell, const SeenPoint& point) {
+  const CellKey cube = key(point.position_mm, options_.normal_cells);
   const auto [entry, is_new] =
-      normal_index_.try_emplace(key(point.position_mm, options_.normal_cells),
-                                static_cast<std::uint32_t>(normal_cells_.size()));
-  if (is_new) begin_normal_cell(entry->second, point);
+      normal_index_.try_emplace(cube, static_cast<std::uint32_t>(normal_cells_.size()));
+  if (is_new) {
+    normal_filter_.add(cube);
+    begin_normal_cell(entry->second, point);
+  }
   cells_[cell].normal_cell = entry->second;
   normal_cells_[entry->second].cells.push_back(cell);
 }

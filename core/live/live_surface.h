@@ -14,6 +14,7 @@
 #include "core/geometry/cell_key.h"
 #include "core/geometry/surfel.h"
 #include "core/geometry/view.h"
+#include "core/live/cell_filter.h"
 #include "core/live/expected_light.h"
 #include "core/live/surface_sums.h"
 #include "core/live/time_layers.h"
@@ -279,6 +280,7 @@ class LiveSurface {
   double cell_mm_ = 0.0;
   Random random_{1};
   std::unordered_map<CellKey, std::uint32_t> cell_index_, normal_index_, block_index_;
+  CellFilter normal_filter_;  ///< of normal_index_
   std::vector<Cell> cells_;
   std::vector<Surfel> surfels_;  ///< parallel to cells_
   std::vector<NormalCell> normal_cells_;

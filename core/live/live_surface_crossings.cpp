@@ -67,8 +67,11 @@ void LiveSurface::look_along(const Vec3f& from_mm, const Vec3f& direction) {
     next_mm[axis] = speed > 0.0F ? ahead_mm / speed : step_mm[axis];
   }
   for (float at_mm = 0.0F; at_mm < end_mm;) {
-    const auto found = normal_index_.find(key(center_mm, options_.normal_cells));
-    if (found != normal_index_.end()) cross(normal_cells_[found->second], from_mm, direction);
+    const CellKey cube = key(center_mm, options_.normal_cells);
+    if (normal_filter_.may_have(cube)) {
+      const auto found = normal_index_.find(cube);
+      if (found != normal_index_.end()) cross(normal_cells_[found->second], from_mm, direction);
+    }
     int axis = 0;
     at_mm = next_mm.minCoeff(&axis);
     next_mm[axis] += step_mm[axis];
@@ -124,13 +127,17 @@ void LiveSurface::look_for_missing(const AlignedView& view) {
   if (!light_ || options_.missing_views == 0) return;
   const Isometry T_sensor_world = view.T_world_sensor.inverse();
   const Vec3f middle_mm = view.T_world_sensor.translation().cast<float>();
-  const auto reach_mm = static_cast<float>(0.5 * light_->calibration().volume.size_mm.norm());
+  const calibration::MeasurementVolume& volume = light_->calibration().volume;
+  const auto reach_mm = static_cast<float>(0.5 * volume.size_mm.norm());
+  // From the middle of a cube to its corners, and a little more for rounding.
+  const double to_corner_mm = 0.9 * options_.normal_cells * cell_mm_;
   const SeenLines seen(*view.view, light_->calibration());
   for (NormalCell& cube : normal_cells_) {
     const int views = cube.views[0] + cube.views[1];
     if (cube.missing_count > 0 || !cube.has_points || views >= kMostViews) continue;
     if (std::max(cube.latest_view[0], cube.latest_view[1]) == view_count_) continue;
     if ((cube.center_mm - middle_mm).squaredNorm() > reach_mm * reach_mm) continue;
+    if (!volume.contains(T_sensor_world * cube.center_mm.cast<double>(), to_corner_mm)) continue;
     if (!is_missing(cube, T_sensor_world, seen)) continue;
     if (++cube.missing_views >= options_.missing_views + views / kViewsPerMissing)
       hide_missing(cube);
@@ -142,12 +149,13 @@ bool LiveSurface::is_missing(const NormalCell& cube, const Isometry& T_sensor_wo
   const auto own_mm = static_cast<float>(kOwnCells * cell_mm_);
   bool is_lit = false;
   for (const std::uint32_t index : cube.cells) {
-    // Also while the user looks at what has gone.
-    if (cells_[index].is_crossed || !shown(cells_[index])) continue;
+    // Most surfels lie between the lines: the cell itself is looked at last.
     const Surfel& surfel = surfels_[index];
     const Vec3 p_sensor = T_sensor_world * surfel.position_mm.cast<double>();
     const auto line = light_->line_at(seen.pattern(), p_sensor, kLitWithinCells * cell_mm_);
     if (!line) continue;
+    // Also while the user looks at what has gone.
+    if (cells_[index].is_crossed || !shown(cells_[index])) continue;
     const Vec3 normal = T_sensor_world.linear() * surfel.normal.cast<double>();
     if (!light_->faces_camera(p_sensor, normal, kMinFacing)) continue;
     const auto depth_mm = seen.depth_mm(*line);
