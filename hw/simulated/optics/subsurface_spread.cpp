@@ -14,30 +14,8 @@ constexpr int kSources = 64;
 // Refractive indices as they are commonly used.
 constexpr double kEnamelIndex = 1.63, kDentinIndex = 1.54;
 
-// y K1(y), the modified Bessel function: 1 at 0, then falling. Errors below 1e-7.
-// Source: Abramowitz, Stegun, "Handbook of Mathematical Functions", 9.8.3, 9.8.7 and 9.8.8.
-double y_bessel_k1(double y) {
-  if (y <= 1e-9) return 1.0;
-  if (y <= 2.0) {
-    const double t = y / 3.75, s = t * t;
-    const double i1 =
-        y *
-        (0.5 + s * (0.87890594 +
-                    s * (0.51498869 +
-                         s * (0.15084934 + s * (0.02658733 + s * (0.00301532 + s * 0.00032411))))));
-    const double q = 0.25 * y * y;
-    return y * std::log(0.5 * y) * i1 + 1.0 +
-           q * (0.15443144 +
-                q * (-0.67278579 +
-                     q * (-0.18156897 + q * (-0.01919402 + q * (-0.00110404 - q * 0.00004686)))));
-  }
-  const double q = 2.0 / y;
-  return std::sqrt(y) * std::exp(-y) *
-         (1.25331414 +
-          q * (0.23498619 +
-               q * (-0.03655620 +
-                    q * (0.01504268 + q * (-0.00780353 + q * (0.00325614 - q * 0.00068245))))));
-}
+// y K1(y), the modified Bessel function: 1 at 0, then falling.
+double y_bessel_k1(double y) { return y <= 1e-9 ? 1.0 : y * std::cyl_bessel_k(1.0, y); }
 
 // What a line of sources of strength 1 at this depth sends through the surface between two places:
 // the integral of mu z K1(mu rho) / (2 pi rho), rho^2 = x^2 + z^2. Without mu rho K1(mu rho), which
