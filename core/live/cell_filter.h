@@ -1,4 +1,4 @@
-/// @file  Tells of most cells that are not in a set that they are not.
+/// @file  Says quickly of most cells outside a set that they are not in it.
 #pragma once
 
 #include <cstdint>

@@ -35,7 +35,8 @@ void add_measuring_sensor(const PanelContext& context, SceneContent& content) {
   const tracking::WeakDirection& weak = *scan.surface_hold.direction;
   // Above the surface, where it is not hidden.
   const Vec3 above_mm = scan.T_world_sensor->linear() * Vec3(0.0, 0.0, -0.1 * volume_mm.z());
-  content.slip = SceneSlip{weak.center_mm + above_mm, weak.direction, weak.is_turn};
+  const double reach_mm = 0.45 * volume_mm.head<2>().minCoeff();
+  content.slip = SceneSlip{weak.center_mm + above_mm, weak.direction, weak.is_turn, reach_mm};
 }
 
 void add_preview(const PanelContext& context, SceneContent& content) {

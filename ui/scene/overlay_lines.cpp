@@ -134,7 +134,7 @@ void add_arrow(Pen& pen, const SceneArrow& arrow, const Eye& eye, const Color& c
 
 /// Two arrows, to both sides: along the direction, or around it.
 void add_slip(Pen& pen, const SceneSlip& slip, const Eye& eye) {
-  constexpr double kFrom_mm = 1.5, kTo_mm = 7.0, kRadius_mm = 5.0;
+  const double from_mm = 0.2 * slip.reach_mm, radius_mm = 0.7 * slip.reach_mm;
   constexpr int kCorners = 24;
   const Vec3 x = slip.direction.unitOrthogonal(), y = slip.direction.cross(x);
   for (const double side : {-1.0, 1.0}) {
@@ -143,11 +143,11 @@ void add_slip(Pen& pen, const SceneSlip& slip, const Eye& eye) {
       for (int i = 0; i <= kCorners; ++i) {
         const double angle_rad = side * (0.2 + 1.8 * i / kCorners);
         along_mm.emplace_back(slip.center_mm +
-                              kRadius_mm * (std::cos(angle_rad) * x + std::sin(angle_rad) * y));
+                              radius_mm * (std::cos(angle_rad) * x + std::sin(angle_rad) * y));
       }
     } else {
-      along_mm = {slip.center_mm + side * kFrom_mm * slip.direction,
-                  slip.center_mm + side * kTo_mm * slip.direction};
+      along_mm = {slip.center_mm + side * from_mm * slip.direction,
+                  slip.center_mm + side * slip.reach_mm * slip.direction};
     }
     add_bent_arrow(pen, along_mm, eye, kCaution);
   }

@@ -48,6 +48,7 @@ struct SceneSlip {
   Vec3 center_mm = Vec3::Zero();
   Vec3 direction = Vec3::UnitX();  ///< unit; of a turn: its axis
   bool is_turn = false;
+  double reach_mm = 7.0;  ///< from the center to the tips of the arrows
 };
 
 /// The occlusal plane: a grid around the jaw, and the axes of the patient.
