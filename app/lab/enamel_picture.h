@@ -9,8 +9,8 @@
 
 namespace flytri::lab {
 
-/// A chart of the gray values without noise, in the middle of the volume, with the localized center
-/// of each.
+/// A chart of three cross-sections at the middle depth, without noise, with their localized
+/// centers.
 /// @param surfaces  sprayed, bare, wet
 /// @errors  kInsufficient: a line was not localized; as localization::localize_lines.
 [[nodiscard]] Result<drawing::Drawing> enamel_picture(

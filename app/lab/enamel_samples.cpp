@@ -52,10 +52,6 @@ Result<void> measure_image(const cv::Mat& image, const EnamelScene& scene,
 
 }  // namespace
 
-int away_from_projector(const simulated::SensorModel& sensor) {
-  return sensor.projector(kEnamelPattern).center().x() < sensor.camera.center().x() ? 1 : -1;
-}
-
 Result<std::vector<EnamelSample>> measure_enamel(const EnamelScene& scene,
                                                  const simulated::ToothLight& light,
                                                  const simulated::ToothSurface& surface,

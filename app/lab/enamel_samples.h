@@ -25,14 +25,11 @@ struct EnamelImages {
   std::uint64_t seed = 1;  ///< of the noise
 };
 
-/// Renders the scene with this surface, localizes, indexes and triangulates its lines. Only points
-/// within EnamelScene::is_measured.
+/// Renders the scene with this surface and measures its lines as a scan does.
+/// @return  only points for which EnamelScene::is_measured()
 /// @errors  As localization::localize_lines.
 [[nodiscard]] Result<std::vector<EnamelSample>> measure_enamel(
     const EnamelScene& scene, const simulated::ToothLight& light,
     const simulated::ToothSurface& surface, const EnamelImages& images);
-
-/// 1 if the light of the vertical lines comes from the side of smaller columns, else -1.
-[[nodiscard]] int away_from_projector(const simulated::SensorModel& sensor);
 
 }  // namespace flytri::lab

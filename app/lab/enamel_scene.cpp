@@ -15,8 +15,8 @@ using simulated::SensorModel;
 constexpr double kCuspRadius_mm = 3.0;
 // Facets of 0.02 mm are 0.02 µm off the sphere.
 constexpr int kCuspRings = 450;
-// From the middle of a plane, across the lines: near enough that a plane tilted by 60 degrees stays
-// in the volume; and along them.
+// The measured part of a plane, across and along the lines. Tilted by 60 degrees, it stays in the
+// volume.
 constexpr double kPlaneHalf_mm = 1.5, kPlaneHalfLength_mm = 6.0;
 constexpr double kAroundHighlight_mm = 0.5;
 
@@ -25,12 +25,11 @@ TriangleMesh white(TriangleMesh mesh) {
   return mesh;
 }
 
-// 1 if the projector of the vertical lines stands on the side of larger x.
-double projector_side(const SensorModel& sensor) {
-  return sensor.projector(kEnamelPattern).center().x() > sensor.camera.center().x() ? 1.0 : -1.0;
-}
-
 }  // namespace
+
+int away_from_projector(const SensorModel& sensor) {
+  return sensor.projector(kEnamelPattern).center().x() < sensor.camera.center().x() ? 1 : -1;
+}
 
 double EnamelScene::below_mm(const Vec3& p_sensor) const {
   if (!is_cusp()) return -(p_sensor - plane.p_sensor).dot(plane.normal);
@@ -46,8 +45,7 @@ bool EnamelScene::is_measured(const Vec3& p_sensor) const {
 
 EnamelScene tilted_plane(const SensorModel& sensor, double z_mm, double tilt_degrees) {
   const double tilt_rad = tilt_degrees / 180.0 * std::numbers::pi;
-  // The normal turns away from the projector.
-  const Vec3 normal(-projector_side(sensor) * std::sin(tilt_rad), 0.0, -std::cos(tilt_rad));
+  const Vec3 normal(away_from_projector(sensor) * std::sin(tilt_rad), 0.0, -std::cos(tilt_rad));
   const Vec3 across = Vec3::UnitY().cross(normal);
   // The camera sees all of it, and no line ends on it.
   const double half_mm = sensor.volume.size_mm.maxCoeff();

@@ -31,6 +31,9 @@ struct EnamelScene {
   [[nodiscard]] bool is_measured(const Vec3& p_sensor) const;
 };
 
+/// 1 if the light of the vertical lines comes from the side of smaller x and columns, else -1.
+[[nodiscard]] int away_from_projector(const simulated::SensorModel& sensor);
+
 [[nodiscard]] EnamelScene tilted_plane(const simulated::SensorModel& sensor, double z_mm,
                                        double tilt_degrees);
 

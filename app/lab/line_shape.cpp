@@ -7,7 +7,7 @@ namespace {
 
 // Parts of the cross-section, in widths from the middle of the line.
 constexpr double kCoreEnd = 1.5, kNearEnd = 2.5, kFarBegin = 5.0, kFarEnd = 6.0;
-constexpr int kPlacesInPart = 16;  // places in each part
+constexpr int kPlacesInPart = 16;
 
 // One row (vertical pattern) or column of an image.
 class CrossSection {

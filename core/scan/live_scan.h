@@ -64,8 +64,8 @@ struct KeptScan {
   std::shared_ptr<const editing::HeldSurface> held;
 };
 
-/// Owns its threads, see docs/architecture.md. All functions are thread-safe, and only those named
-/// wait_... wait. A command that does not fit the phase does nothing, see accepts().
+/// Owns its threads, see docs/architecture.md. All functions are thread-safe. Only those named
+/// wait_... block. A command that does not fit the phase does nothing, see accepts().
 class LiveScan {
  public:
   /// @errors  kBadOption.

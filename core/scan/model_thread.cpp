@@ -34,7 +34,7 @@ ModelThread::ModelThread(LiveModel model, ModelSurroundings around)
 void ModelThread::post(std::function<void()> task) {
   thread_.post([this, task = std::move(task)] {
     task();
-    // Also after a task that changes nothing: the one before it may have left its change to it.
+    // The task before may have left its change to be published now.
     publish_if_due(false);
   });
 }

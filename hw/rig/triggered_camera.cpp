@@ -8,7 +8,8 @@ namespace {
 
 /// Longest time from a trigger to its image: exposure, readout, transfer and a busy computer.
 constexpr double kPatience_s = 0.5;
-/// So long without an image: those of earlier exposures have arrived. The delays show a later one.
+/// After so long without an image none of an earlier exposure should come; if one does, its delay
+/// shows it.
 constexpr double kQuiet_s = 0.2;
 /// Images of triggers are as late as each other, but for this share of a period.
 constexpr double kDelaySpread = 0.4;

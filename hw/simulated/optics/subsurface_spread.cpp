@@ -18,8 +18,8 @@ constexpr double kEnamelIndex = 1.63, kDentinIndex = 1.54;
 double y_bessel_k1(double y) { return y <= 1e-9 ? 1.0 : y * std::cyl_bessel_k(1.0, y); }
 
 // What a line of sources of strength 1 at this depth sends through the surface between two places:
-// the integral of mu z K1(mu rho) / (2 pi rho), rho^2 = x^2 + z^2. Without mu rho K1(mu rho), which
-// hardly changes in a cell, it is an arc tangent.
+// the integral of mu z K1(mu rho) / (2 pi rho), rho^2 = x^2 + z^2. The factor mu rho K1(mu rho)
+// hardly changes in a cell; the rest gives an arc tangent.
 double through_cell(double from_mm, double to_mm, double depth_mm, double mu_per_mm) {
   const double rho_mm = std::hypot(0.5 * (from_mm + to_mm), depth_mm);
   return y_bessel_k1(mu_per_mm * rho_mm) *
