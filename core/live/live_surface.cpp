@@ -244,8 +244,10 @@ void LiveSurface::attach_to_block(std::uint32_t cell, const Vec3f& p_mm) {
   const auto [entry, is_new] =
       block_index_.try_emplace(place, static_cast<std::uint32_t>(blocks_.size()));
   if (is_new) {
-    blocks_.emplace_back();
-    blocks_.back().place = place.packed();
+    Block& begun = blocks_.emplace_back();
+    begun.place = place.packed();
+    const auto edge_mm = static_cast<float>(cell_mm_ * options_.block_cells);
+    begun.center_mm = ((p_mm / edge_mm).array().floor() + 0.5F) * edge_mm;
   }
   cells_[cell].block = entry->second;
 }

@@ -95,14 +95,22 @@ class LiveSurface {
   /// Shows also what has gone, or hides it again.
   void show_crossed(bool is_shown);
   /// Colors the surfels that the texture frame shows.
-  /// @errors  as observe_points.
+  /// @errors  as check_texture_image.
   [[nodiscard]] Result<void> add_color(const texture::TextureFrame& frame,
                                        const calibration::Calibration& calibration);
-  /// Drops the colors around a place and computes them again from these frames.
-  /// @errors  as observe_points.
-  [[nodiscard]] Result<void> recolor(const Isometry& T_world_sensor,
-                                     std::span<const texture::TextureFrame> frames,
-                                     const calibration::Calibration& calibration);
+  /// New colors of the cells around a place, which are computed frame by frame.
+  struct Recoloring {
+    Vec3 middle_mm = Vec3::Zero();
+    std::vector<std::uint32_t> cells;  ///< sorted
+    std::vector<texture::ObservedColor> colors;
+  };
+  [[nodiscard]] Recoloring begin_recoloring(const Isometry& T_world_sensor,
+                                            const calibration::Calibration& calibration) const;
+  /// @errors  as check_texture_image.
+  [[nodiscard]] Result<void> add_color(const texture::TextureFrame& frame,
+                                       const calibration::Calibration& calibration,
+                                       Recoloring& recoloring) const;
+  void end_recoloring(const Recoloring& recoloring);
   /// Number of pixels of a texture frame from this pose that show the surface.
   [[nodiscard]] double texture_pixels(const Isometry& T_world_sensor,
                                       const calibration::Calibration& calibration) const;
@@ -170,6 +178,7 @@ class LiveSurface {
   };
   struct Block {
     std::uint64_t place = 0;  ///< see SurfelBlock
+    Vec3f center_mm = Vec3f::Zero();
     /// In random order. Only cells that were shown at least once: a cell that is not shown yet must
     /// not change the positions of the others.
     std::vector<std::uint32_t> cells;
@@ -239,15 +248,17 @@ class LiveSurface {
     return cell.kept.point_count >= static_cast<std::uint32_t>(options_.min_points) &&
            (shows_crossed_ || !is_gone(cell));
   }
-  /// The shown cells that may be in the measurement volume of a sensor at this pose.
+  /// Calls `use` for the number of each shown cell in the blocks that `may_have` selects by their
+  /// middle and radius.
+  template <typename MayHave, typename Use>
+  void for_each_shown(const MayHave& may_have, const Use& use) const;
+  /// The shown cells that may be in the measurement volume of a sensor at this pose, sorted.
   [[nodiscard]] std::vector<std::uint32_t> cells_around(
       const Isometry& T_world_sensor, const calibration::Calibration& calibration) const;
-  /// Adds the colors of the frame to those cells around it that `wanted` selects.
-  /// @return  all cells around it
-  template <typename Wanted>
-  Result<std::vector<std::uint32_t>> observe(const texture::TextureFrame& frame,
-                                             const calibration::Calibration& calibration,
-                                             const Wanted& wanted);
+  /// Adds what the frame sees of a cell to the color that `color_of` gives; nullptr: not wanted.
+  template <typename ColorOf>
+  Result<void> observe(const texture::TextureFrame& frame,
+                       const calibration::Calibration& calibration, const ColorOf& color_of) const;
   void publish_block(Block& block) const;
   /// Average area of a plane in each of the cells that it crosses.
   [[nodiscard]] double area_per_cell_mm2(const Vec3f& normal) const {

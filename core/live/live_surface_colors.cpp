@@ -6,71 +6,111 @@
 
 namespace flytri::live {
 
-std::vector<std::uint32_t> LiveSurface::cells_around(
-    const Isometry& T_world_sensor, const calibration::Calibration& calibration) const {
-  // No point of the measurement volume is farther from its center.
-  const double reach_mm =
-      (0.5 + options_.texture.volume_margin_share) * calibration.volume.size_mm.norm();
-  const Vec3f middle_mm = T_world_sensor.translation().cast<float>();
-  std::vector<std::uint32_t> around;
-  for (std::uint32_t i = 0; i < cells_.size(); ++i) {
-    if (shown(cells_[i]) && (surfels_[i].position_mm - middle_mm).norm() <= reach_mm) {
-      around.push_back(i);
+namespace {
+
+/// What may be in the measurement volume of a sensor: no point of the volume is farther from its
+/// middle.
+struct Surroundings {
+  Vec3f middle_mm;
+  double reach_mm;
+  Surroundings(const Isometry& T_world_sensor, const calibration::Calibration& calibration,
+               const texture::TextureOptions& options)
+      : middle_mm(T_world_sensor.translation().cast<float>()),
+        reach_mm((0.5 + options.volume_margin_share) * calibration.volume.size_mm.norm()) {}
+  [[nodiscard]] bool have(const Vec3f& p_mm, float radius_mm = 0.0F) const {
+    return (p_mm - middle_mm).norm() <= reach_mm + static_cast<double>(radius_mm);
+  }
+};
+
+}  // namespace
+
+template <typename MayHave, typename Use>
+void LiveSurface::for_each_shown(const MayHave& may_have, const Use& use) const {
+  // From the middle of a block to its corners, and a little more for rounding.
+  const auto radius_mm = static_cast<float>(0.9 * options_.block_cells * cell_mm_);
+  for (const Block& block : blocks_) {
+    if (!may_have(block.center_mm, radius_mm)) continue;
+    for (const std::uint32_t cell : block.cells) {
+      if (shown(cells_[cell])) use(cell);
     }
   }
+}
+
+std::vector<std::uint32_t> LiveSurface::cells_around(
+    const Isometry& T_world_sensor, const calibration::Calibration& calibration) const {
+  const Surroundings surroundings(T_world_sensor, calibration, options_.texture);
+  std::vector<std::uint32_t> around;
+  for_each_shown([&](const Vec3f& middle_mm,
+                     float radius_mm) { return surroundings.have(middle_mm, radius_mm); },
+                 [&](std::uint32_t cell) {
+                   if (surroundings.have(surfels_[cell].position_mm)) around.push_back(cell);
+                 });
+  std::sort(around.begin(), around.end());
   return around;
 }
 
-template <typename Wanted>
-Result<std::vector<std::uint32_t>> LiveSurface::observe(const texture::TextureFrame& frame,
-                                                        const calibration::Calibration& calibration,
-                                                        const Wanted& wanted) {
-  // Use all cells: the others may hide the wanted ones.
-  std::vector<std::uint32_t> around = cells_around(frame.T_world_sensor, calibration);
+template <typename ColorOf>
+Result<void> LiveSurface::observe(const texture::TextureFrame& frame,
+                                  const calibration::Calibration& calibration,
+                                  const ColorOf& color_of) const {
+  if (auto fits = texture::check_texture_image(frame.image, calibration); !fits) return fits;
+  texture::FrameObserver observer(frame, calibration, options_.texture);
+  // All cells that the frame may see: the others may hide the wanted ones.
   std::vector<SurfacePoint> points;
-  std::vector<texture::ObservedColor> colors;
-  for (const std::uint32_t i : around) {
-    points.push_back({surfels_[i].position_mm, surfels_[i].normal, {}, 0.0F});
-    colors.push_back(cells_[i].color);
+  std::vector<std::pair<std::size_t, texture::ObservedColor*>> wanted;  // number of the point
+  for_each_shown([&](const Vec3f& middle_mm,
+                     float radius_mm) { return observer.may_see(middle_mm, radius_mm); },
+                 [&](std::uint32_t cell) {
+                   const Surfel& surfel = surfels_[cell];
+                   if (!observer.may_see(surfel.position_mm, 0.0F)) return;
+                   if (auto* color = color_of(cell)) wanted.emplace_back(points.size(), color);
+                   points.push_back({surfel.position_mm, surfel.normal, {}, 0.0F});
+                 });
+  if (wanted.empty()) return {};
+  const Workers alone(1);
+  observer.find_depths(points, texture::block_spheres(points, alone), alone);
+  for (const auto& [point, color] : wanted) {
+    if (const auto seen = observer.observe(points[point])) color->add(*seen);
   }
-  if (auto seen =
-          texture::observe_points(points, colors, frame, calibration, options_.texture, Workers(1));
-      !seen) {
-    return tl::unexpected(seen.error());
-  }
-  for (std::size_t k = 0; k < around.size(); ++k) {
-    if (wanted(around[k])) cells_[around[k]].color = colors[k];
-  }
-  return around;
+  return {};
 }
 
 Result<void> LiveSurface::add_color(const texture::TextureFrame& frame,
                                     const calibration::Calibration& calibration) {
-  const auto around = observe(frame, calibration, [](std::uint32_t) { return true; });
-  if (!around) return tl::unexpected(around.error());
-  for (const std::uint32_t cell : *around) refresh_cell(cell);
+  const auto color_of = [this](std::uint32_t cell) { return &cells_[cell].color; };
+  if (auto seen = observe(frame, calibration, color_of); !seen) return seen;
+  for (const std::uint32_t cell : cells_around(frame.T_world_sensor, calibration))
+    refresh_cell(cell);
   return {};
 }
 
-Result<void> LiveSurface::recolor(const Isometry& T_world_sensor,
-                                  std::span<const texture::TextureFrame> frames,
-                                  const calibration::Calibration& calibration) {
-  const std::vector<std::uint32_t> forgotten = cells_around(T_world_sensor, calibration);
-  for (const std::uint32_t cell : forgotten) cells_[cell].color = {};
-  const auto is_forgotten = [&](std::uint32_t cell) {
-    return std::binary_search(forgotten.begin(), forgotten.end(), cell);
-  };
-  const double reach_mm =
-      (1.0 + 2.0 * options_.texture.volume_margin_share) * calibration.volume.size_mm.norm();
-  for (const texture::TextureFrame& frame : frames) {
-    const Vec3 between_mm = frame.T_world_sensor.translation() - T_world_sensor.translation();
-    if (between_mm.norm() > reach_mm) continue;
-    if (const auto around = observe(frame, calibration, is_forgotten); !around) {
-      return tl::unexpected(around.error());
-    }
+LiveSurface::Recoloring LiveSurface::begin_recoloring(
+    const Isometry& T_world_sensor, const calibration::Calibration& calibration) const {
+  Recoloring recoloring{
+      T_world_sensor.translation(), cells_around(T_world_sensor, calibration), {}};
+  recoloring.colors.resize(recoloring.cells.size());
+  return recoloring;
+}
+
+Result<void> LiveSurface::add_color(const texture::TextureFrame& frame,
+                                    const calibration::Calibration& calibration,
+                                    Recoloring& recoloring) const {
+  const Surroundings seen(frame.T_world_sensor, calibration, options_.texture);
+  // The surroundings of the place are as large.
+  if (!seen.have(recoloring.middle_mm.cast<float>(), static_cast<float>(seen.reach_mm))) return {};
+  const std::vector<std::uint32_t>& cells = recoloring.cells;
+  return observe(frame, calibration, [&](std::uint32_t cell) -> texture::ObservedColor* {
+    const auto found = std::lower_bound(cells.begin(), cells.end(), cell);
+    if (found == cells.end() || *found != cell) return nullptr;
+    return &recoloring.colors[static_cast<std::size_t>(found - cells.begin())];
+  });
+}
+
+void LiveSurface::end_recoloring(const Recoloring& recoloring) {
+  for (std::size_t k = 0; k < recoloring.cells.size(); ++k) {
+    cells_[recoloring.cells[k]].color = recoloring.colors[k];
+    refresh_cell(recoloring.cells[k]);
   }
-  for (const std::uint32_t cell : forgotten) refresh_cell(cell);
-  return {};
 }
 
 double LiveSurface::texture_pixels(const Isometry& T_world_sensor,

@@ -7,8 +7,6 @@
 namespace flytri::scan {
 namespace {
 
-/// Views that a rebuild adds at once: a few milliseconds, so that new views need not wait.
-constexpr std::size_t kViewsAtOnce = 4;
 /// Closer to a place than this share of the volume, a texture frame is of the same place.
 constexpr double kSamePlaceShare = 0.25;
 /// A frame is better by this many pixels on the surface for each of another; with about as many, if
@@ -118,14 +116,19 @@ void LiveModel::replace_texture(PlacedTexture& kept, const Frame& frame,
                                 const Isometry& T_world_sensor) {
   kept.frame = frame;
   kept.T_world_sensor = T_world_sensor;
-  std::vector<texture::TextureFrame> frames;
-  for (const PlacedTexture& texture : textures_) frames.push_back(serving(texture));
-  // A frame that does not suit the calibration was refused before it came here.
-  std::ignore = surface_.recolor(T_world_sensor, frames, *calibration_);
-  if (!rebuild_) return;
-  // The others color it when their turn comes.
-  frames.resize(rebuild_->textures_done);
-  std::ignore = rebuild_->surface.recolor(T_world_sensor, frames, *calibration_);
+  begin_recoloring(static_cast<std::size_t>(&kept - textures_.data()));
+}
+
+void LiveModel::begin_recoloring(std::size_t texture) {
+  // One that has begun goes on with the former frame, or a hand that rests would not let it end.
+  const bool has_begun = !recolorings_.empty() && recolorings_.front().colors;
+  const bool waits = std::any_of(recolorings_.begin() + (has_begun ? 1 : 0), recolorings_.end(),
+                                 [&](const Recoloring& one) { return one.texture == texture; });
+  if (!waits) recolorings_.push_back({texture, {}, 0});
+}
+
+void LiveModel::restart_recoloring() {
+  if (!recolorings_.empty()) recolorings_.front() = {recolorings_.front().texture, {}, 0};
 }
 
 void LiveModel::set_edits(const editing::EditStack& edits) {
@@ -133,6 +136,7 @@ void LiveModel::set_edits(const editing::EditStack& edits) {
   filter_ = editing::EditFilter(edits_.state());
   surface_.set_edits(edits_);
   if (rebuild_) rebuild_->surface.set_edits(edits_);
+  restart_recoloring();
 }
 
 void LiveModel::show_crossed(bool is_shown) {
@@ -168,6 +172,7 @@ void LiveModel::begin_rebuild(std::vector<AlignedView> views, bool is_other) {
   }
   // This rebuild replaces one for another world that is still running.
   is_other = is_other || (rebuild_ && rebuild_->is_other);
+  if (is_other) recolorings_.clear();
   // The options were validated when the model was created.
   rebuild_.emplace(
       Rebuild{*live::LiveSurface::create(options_, *calibration_), std::move(views), is_other});
@@ -175,22 +180,42 @@ void LiveModel::begin_rebuild(std::vector<AlignedView> views, bool is_other) {
   rebuild_->surface.show_crossed(shows_crossed_);
 }
 
-bool LiveModel::continue_rebuild() {
-  if (!rebuild_) return false;
-  Rebuild& work = *rebuild_;
-  for (std::size_t k = 0; k < kViewsAtOnce && work.views_done < work.views.size(); ++k) {
-    work.surface.add(work.views[work.views_done++]);
+void LiveModel::continue_work() {
+  // A surface that is built anew gets its colors from the present frames.
+  if (rebuild_) return continue_rebuild();
+  if (!recolorings_.empty()) continue_recoloring();
+}
+
+void LiveModel::continue_recoloring() {
+  Recoloring& work = recolorings_.front();
+  if (!work.colors) {
+    work.colors = surface_.begin_recoloring(textures_[work.texture].T_world_sensor, *calibration_);
+  } else if (work.textures_done < textures_.size()) {
+    // A frame that does not suit the calibration was refused before it came here.
+    std::ignore =
+        surface_.add_color(serving(textures_[work.textures_done++]), *calibration_, *work.colors);
+  } else {
+    surface_.end_recoloring(*work.colors);
+    recolorings_.pop_front();
   }
-  if (work.views_done < work.views.size()) return true;
+}
+
+void LiveModel::continue_rebuild() {
+  Rebuild& work = *rebuild_;
+  if (work.views_done < work.views.size()) {
+    work.surface.add(work.views[work.views_done++]);
+    return;
+  }
   if (!std::exchange(work.is_settled, true)) work.surface.settle_edits();
   if (work.textures_done < textures_.size()) {
-    const PlacedTexture& texture = textures_[work.textures_done++];
-    [[maybe_unused]] const auto colored = work.surface.add_color(serving(texture), *calibration_);
-    return true;
+    const std::size_t texture = work.textures_done++;
+    std::ignore = work.surface.add_color(serving(textures_[texture]), *calibration_);
+    std::erase_if(recolorings_, [&](const Recoloring& one) { return one.texture == texture; });
+    return;
   }
   surface_ = std::move(work.surface);
   rebuild_.reset();
-  return false;
+  restart_recoloring();
 }
 
 }  // namespace flytri::scan

@@ -2,6 +2,7 @@
 /// better poses. Used by one thread.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <span>
@@ -50,8 +51,10 @@ class LiveModel {
   /// until the rebuild is done.
   /// @param is_other  the views have another world frame, so the old surface cannot grow any more
   void begin_rebuild(std::vector<AlignedView> views, bool is_other);
-  /// Adds some more views of the rebuild; false when it is done.
-  bool continue_rebuild();
+  /// Work remains: a rebuild, or new colors where a better texture frame took the place of another.
+  [[nodiscard]] bool has_work() const { return rebuild_ || !recolorings_.empty(); }
+  /// Does a piece of it, which takes milliseconds.
+  void continue_work();
 
   /// Times of the views added since the last call that showed nothing new: they may be retired.
   [[nodiscard]] std::vector<double> take_redundant() { return std::exchange(redundant_s_, {}); }
@@ -69,6 +72,12 @@ class LiveModel {
     bool is_settled = false;  ///< the edits, by the normals of all views
     std::size_t views_done = 0, textures_done = 0;
   };
+  /// The colors around a texture frame that has taken the place of another.
+  struct Recoloring {
+    std::size_t texture = 0;
+    std::optional<live::LiveSurface::Recoloring> colors;  ///< nothing: not begun
+    std::size_t textures_done = 0;
+  };
 
   LiveModel(live::LiveSurface surface, const live::LiveSurfaceOptions& options,
             const calibration::Calibration& calibration, double max_gap_s);
@@ -79,6 +88,10 @@ class LiveModel {
   [[nodiscard]] bool is_better(const Frame& frame, const Isometry& T_world_sensor,
                                const PlacedTexture& kept) const;
   void replace_texture(PlacedTexture& kept, const Frame& frame, const Isometry& T_world_sensor);
+  void begin_recoloring(std::size_t texture);
+  void restart_recoloring();
+  void continue_recoloring();
+  void continue_rebuild();
 
   live::LiveSurfaceOptions options_;
   const calibration::Calibration* calibration_;
@@ -92,6 +105,7 @@ class LiveModel {
   std::vector<Frame> waiting_;               ///< texture frames whose pose is not known yet
   std::vector<PlacedTexture> textures_;
   std::optional<Rebuild> rebuild_;
+  std::deque<Recoloring> recolorings_;  ///< the first may have begun
   std::vector<double> redundant_s_;
 };
 

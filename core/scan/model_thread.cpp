@@ -42,6 +42,7 @@ void ModelThread::post(std::function<void()> task) {
 void ModelThread::add(std::vector<AlignedView> views, std::vector<double> offered_at_s) {
   post([this, views = std::move(views), offered_at_s = std::move(offered_at_s)] {
     model_.add(views);
+    post_work();
     std::vector<double> redundant_s = model_.take_redundant();
     if (!redundant_s.empty()) around_.tell_redundant(std::move(redundant_s));
     unpublished_offers_s_.insert(unpublished_offers_s_.end(), offered_at_s.begin(),
@@ -60,6 +61,7 @@ void ModelThread::add_texture(const Frame& frame) {
   post([this, frame] {
     model_.add_texture(frame);
     has_changed_ = true;
+    post_work();
   });
 }
 
@@ -70,7 +72,10 @@ void ModelThread::restore(std::vector<AlignedView> views, std::vector<Frame> tex
     model_.set_edits(edits);
     model_.add(views);
     model_.surface().settle_edits();
-    for (const Frame& frame : texture_frames) model_.add_texture(frame);
+    for (const Frame& frame : texture_frames) {
+      model_.add_texture(frame);
+      while (model_.has_work()) model_.continue_work();
+    }
     has_grown_since_holes_ = true;
     publish();
   });
@@ -119,13 +124,27 @@ void ModelThread::with_textures(std::function<void(const std::vector<PlacedTextu
 
 void ModelThread::begin_rebuild(std::vector<AlignedView> views, bool is_other) {
   model_.begin_rebuild(std::move(views), is_other);
-  post([this] { continue_rebuild(); });
+  post_work();
 }
 
-void ModelThread::continue_rebuild() {
-  if (model_.continue_rebuild()) {
-    return post([this] { continue_rebuild(); });
+/// Once there is such work, until all of it is done.
+void ModelThread::post_work() {
+  if (!model_.has_work() || std::exchange(work_is_posted_, true)) return;
+  post([this] { continue_work(); });
+}
+
+void ModelThread::continue_work() {
+  work_is_posted_ = false;
+  // New views go first, but a rebuild must end on a slow machine, too: it may use a quarter of the
+  // time.
+  constexpr double kRest = 3.0;
+  const double began_s = around_.now_s();
+  if (thread_.pending() <= 1 || began_s > work_may_go_on_s_) {
+    model_.continue_work();
+    const double ended_s = around_.now_s();
+    work_may_go_on_s_ = ended_s + kRest * (ended_s - began_s);
   }
+  if (model_.has_work()) return post_work();
   has_changed_ = has_grown_since_holes_ = true;
   publish_if_due(true);
   if (is_at_rest_) search_holes_if_grown();

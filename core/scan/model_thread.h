@@ -71,7 +71,8 @@ class ModelThread {
   void post(std::function<void()> task);
   // On the thread.
   void begin_rebuild(std::vector<AlignedView> views, bool is_other);
-  void continue_rebuild();
+  void post_work();
+  void continue_work();
   void publish_if_due(bool at_once);
   void publish();
   std::optional<LatencyStatistics> latency_with(const std::vector<double>& shown_offers_s);
@@ -86,6 +87,8 @@ class ModelThread {
   std::vector<double> latencies_s_;
   double holes_at_s_ = 0.0, holes_took_s_ = 0.0;
   bool searches_holes_ = false;
+  bool work_is_posted_ = false;
+  double work_may_go_on_s_ = 0.0;  ///< also while new views wait
   bool has_grown_since_holes_ = false;
   bool is_at_rest_ = false;  ///< paused: search for holes after every change
   TaskThread thread_;        ///< destroyed first

@@ -223,21 +223,6 @@ Result<void> check_texture_image(const cv::Mat& image,
               calibration.texture_size.height_px);
 }
 
-Result<void> observe_points(std::span<const SurfacePoint> points, std::span<ObservedColor> colors,
-                            const TextureFrame& frame, const calibration::Calibration& calibration,
-                            const TextureOptions& options, const Workers& workers) {
-  if (auto fits = check_texture_image(frame.image, calibration); !fits) return fits;
-  FrameObserver observer(frame, calibration, options);
-  observer.find_depths(points, block_spheres(points, workers), workers);
-  workers.for_each(
-      points.size(),
-      [&](std::size_t i) {
-        if (const auto seen = observer.observe(points[i])) colors[i].add(*seen);
-      },
-      kPointBlock);
-  return {};
-}
-
 Result<void> TextureOptions::validate() const {
   return OptionCheck("TextureOptions")
       .in_range("min_facing_cosine", min_facing_cosine, 0.0, 1.0)

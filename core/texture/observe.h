@@ -87,6 +87,9 @@ inline constexpr std::size_t kPointBlock = 256;
                                                         const Workers& workers);
 
 /// One frame, prepared for questions about many points. Refers to frame, calibration and options.
+/// A pixel sees only the points on its ray that are closest to the camera.
+/// @source  Arold et al., "Texture Acquisition and Mapping": observing pixels, observed points,
+///          z-buffer. The paper takes the highest intensity; here the lamp's light is taken out.
 class FrameObserver {
  public:
   FrameObserver(const TextureFrame& frame, const calibration::Calibration& calibration,
@@ -126,18 +129,5 @@ class FrameObserver {
 /// @errors  kBadFormat: not CV_8UC3; kInconsistent: its size differs from the calibration.
 [[nodiscard]] Result<void> check_texture_image(const cv::Mat& image,
                                                const calibration::Calibration& calibration);
-
-/// Adds the colors that a frame saw to those of the points. A pixel sees only the points on its ray
-/// that are closest to the camera.
-/// @param points  world frame
-/// @param colors  of the same points
-/// @source  Arold et al., "Texture Acquisition and Mapping": observing pixels, observed points,
-///          z-buffer. The paper takes the highest intensity; here the lamp's light is taken out.
-/// @errors  As check_texture_image.
-[[nodiscard]] Result<void> observe_points(std::span<const SurfacePoint> points,
-                                          std::span<ObservedColor> colors,
-                                          const TextureFrame& frame,
-                                          const calibration::Calibration& calibration,
-                                          const TextureOptions& options, const Workers& workers);
 
 }  // namespace flytri::texture

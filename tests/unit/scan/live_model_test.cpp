@@ -49,6 +49,10 @@ class LiveTexture : public ::testing::Test {
  protected:
   /// Two views at this time, and a texture frame between them.
   void see(double time_s, double tilt_rad, const cv::Scalar& color) {
+    add(time_s, tilt_rad, color);
+    work();
+  }
+  void add(double time_s, double tilt_rad, const cv::Scalar& color) {
     const std::vector<AlignedView> views = {
         plane_view(Pattern::kVertical, time_s, tilt_rad),
         plane_view(Pattern::kHorizontal, time_s + 0.2, tilt_rad)};
@@ -64,8 +68,10 @@ class LiveTexture : public ::testing::Test {
       views.push_back(plane_view(Pattern::kHorizontal, time_s + 0.2, tilt_rad));
     }
     model_.begin_rebuild(views, false);
-    while (model_.continue_rebuild()) {
-    }
+    work();
+  }
+  void work() {
+    while (model_.has_work()) model_.continue_work();
   }
   /// Of all shown surfels; nothing if they differ.
   std::optional<Rgb> color() {
@@ -160,13 +166,16 @@ TEST_F(LiveTexture, ABetterFrameColorsTheSurfaceThatIsBuiltAnew) {
   see(0.0, 0.2, kRed);
   const std::vector<AlignedView> views = {plane_view(Pattern::kVertical, 0.0, 0.2),
                                           plane_view(Pattern::kHorizontal, 0.2, 0.2)};
-  model_.begin_rebuild(views, false);
-  // All views and the texture; the next step would show the new surface.
-  ASSERT_TRUE(model_.continue_rebuild());
-  see(1.0, 0.0, kBlue);
-  while (model_.continue_rebuild()) {
+  // Views and texture of the new surface, one after the other: a better frame comes after some.
+  for (const int done : {0, 1, 2, 3}) {
+    model_.begin_rebuild(views, false);
+    for (int i = 0; i < done; ++i) model_.continue_work();
+    ASSERT_TRUE(model_.has_work());
+    const double time_s = 1.0 + 5.0 * done;
+    add(time_s, 0.0, done % 2 == 0 ? kBlue : kRed);
+    work();
+    EXPECT_EQ(color(), rgb(done % 2 == 0 ? kBlue : kRed)) << done;
   }
-  EXPECT_EQ(color(), rgb(kBlue));
 }
 
 }  // namespace
