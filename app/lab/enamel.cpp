@@ -1,5 +1,4 @@
-/// @file  flytri-lab enamel: how bare and wet teeth change the lines, and whether their shape shows
-/// it.
+/// @file  flytri-lab enamel: what bare and wet teeth do to the lines, and whether a line shows it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -120,7 +119,7 @@ double property(const EnamelSample& sample, ShapeProperty which) {
   return sample.shape[static_cast<std::size_t>(which)];
 }
 
-/// Figures of one surface, compared with the sprayed one. Without samples: only the share lost.
+/// Figures of one surface beside those of the sprayed one. Without samples only the share lost.
 Json figures_of(const Samples& samples, const Samples& sprayed) {
   const auto count = static_cast<double>(samples.size());
   Json figures = {{"samples", samples.size()},

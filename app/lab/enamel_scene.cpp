@@ -15,8 +15,8 @@ using simulated::SensorModel;
 constexpr double kCuspRadius_mm = 3.0;
 // Facets of 0.02 mm are 0.02 µm off the sphere.
 constexpr int kCuspRings = 450;
-// The measured part of a plane, across and along the lines. Tilted by 60 degrees, it stays in the
-// volume.
+// Half the measured part of a plane, across and along the lines. It stays in the volume even if it
+// is tilted by 60 degrees.
 constexpr double kPlaneHalf_mm = 1.5, kPlaneHalfLength_mm = 6.0;
 constexpr double kAroundHighlight_mm = 0.5;
 

@@ -8,8 +8,8 @@
 
 namespace flytri::live {
 
-/// A bit for each part of the cells' hashes. It stays in the cache of the processor, where a hash
-/// table of all cells does not: rays pass through far more empty cells than others.
+/// Tells of most empty cells that they are empty, without the hash table. Its bits fit into the
+/// cache of the processor, and rays pass mostly through empty cells.
 class CellFilter {
  public:
   void add(CellKey key) { bits_[word_of(key)] |= bit_of(key); }

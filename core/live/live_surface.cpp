@@ -70,6 +70,11 @@ CellKey LiveSurface::key(const Vec3f& p_mm, int cells) const {
   return CellKey::at(p_mm, cell_mm_ * cells);
 }
 
+Vec3f LiveSurface::cube_middle_mm(const Vec3f& p_mm, int cells) const {
+  const auto edge_mm = static_cast<float>(cell_mm_ * cells);
+  return ((p_mm / edge_mm).array().floor() + 0.5F) * edge_mm;
+}
+
 double LiveSurface::add(const AlignedView& view) {
   if (cell_mm_ == 0.0) {
     cell_mm_ = options_.cell_mm > 0.0 ? options_.cell_mm
@@ -211,9 +216,8 @@ void LiveSurface::attach_to_normal_cell(std::uint32_t cell, const SeenPoint& poi
 }
 
 void LiveSurface::begin_normal_cell(std::uint32_t index, const SeenPoint& point) {
-  const auto edge_mm = static_cast<float>(cell_mm_ * options_.normal_cells);
   NormalCell& begun = normal_cells_.emplace_back();
-  begun.center_mm = ((point.position_mm / edge_mm).array().floor() + 0.5F) * edge_mm;
+  begun.center_mm = cube_middle_mm(point.position_mm, options_.normal_cells);
   for_each_around(begun.center_mm, [&](const NormalCell& near) {
     begun.around += near.has_points ? 1 : 0;
     begun.well_seen_around += near.well_seen ? 1 : 0;
@@ -246,8 +250,7 @@ void LiveSurface::attach_to_block(std::uint32_t cell, const Vec3f& p_mm) {
   if (is_new) {
     Block& begun = blocks_.emplace_back();
     begun.place = place.packed();
-    const auto edge_mm = static_cast<float>(cell_mm_ * options_.block_cells);
-    begun.center_mm = ((p_mm / edge_mm).array().floor() + 0.5F) * edge_mm;
+    begun.center_mm = cube_middle_mm(p_mm, options_.block_cells);
   }
   cells_[cell].block = entry->second;
 }

@@ -244,12 +244,13 @@ class LiveSurface {
   [[nodiscard]] Vec3f position_mm(const Cell& cell) const;
   [[nodiscard]] Vec3f normal_at(const Vec3f& p_mm, const NormalCell& own) const;
   [[nodiscard]] CellKey key(const Vec3f& p_mm, int cells) const;
+  /// The middle of the cube with an edge of so many cells that holds the point.
+  [[nodiscard]] Vec3f cube_middle_mm(const Vec3f& p_mm, int cells) const;
   [[nodiscard]] bool shown(const Cell& cell) const {
     return cell.kept.point_count >= static_cast<std::uint32_t>(options_.min_points) &&
            (shows_crossed_ || !is_gone(cell));
   }
-  /// Calls `use` for the number of each shown cell in the blocks that `may_have` selects by their
-  /// middle and radius.
+  /// Calls `use` for each shown cell. `may_have` rejects whole blocks by their middle and radius.
   template <typename MayHave, typename Use>
   void for_each_shown(const MayHave& may_have, const Use& use) const;
   /// The shown cells that may be in the measurement volume of a sensor at this pose, sorted.

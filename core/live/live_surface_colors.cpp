@@ -8,16 +8,15 @@ namespace flytri::live {
 
 namespace {
 
-/// What may be in the measurement volume of a sensor: no point of the volume is farther from its
-/// middle.
-struct Surroundings {
+/// The sphere around the measurement volume of a sensor.
+struct VolumeSphere {
   Vec3f middle_mm;
   double reach_mm;
-  Surroundings(const Isometry& T_world_sensor, const calibration::Calibration& calibration,
+  VolumeSphere(const Isometry& T_world_sensor, const calibration::Calibration& calibration,
                const texture::TextureOptions& options)
       : middle_mm(T_world_sensor.translation().cast<float>()),
         reach_mm((0.5 + options.volume_margin_share) * calibration.volume.size_mm.norm()) {}
-  [[nodiscard]] bool have(const Vec3f& p_mm, float radius_mm = 0.0F) const {
+  [[nodiscard]] bool contains(const Vec3f& p_mm, float radius_mm = 0.0F) const {
     return (p_mm - middle_mm).norm() <= reach_mm + static_cast<double>(radius_mm);
   }
 };
@@ -38,12 +37,12 @@ void LiveSurface::for_each_shown(const MayHave& may_have, const Use& use) const 
 
 std::vector<std::uint32_t> LiveSurface::cells_around(
     const Isometry& T_world_sensor, const calibration::Calibration& calibration) const {
-  const Surroundings surroundings(T_world_sensor, calibration, options_.texture);
+  const VolumeSphere sphere(T_world_sensor, calibration, options_.texture);
   std::vector<std::uint32_t> around;
   for_each_shown([&](const Vec3f& middle_mm,
-                     float radius_mm) { return surroundings.have(middle_mm, radius_mm); },
+                     float radius_mm) { return sphere.contains(middle_mm, radius_mm); },
                  [&](std::uint32_t cell) {
-                   if (surroundings.have(surfels_[cell].position_mm)) around.push_back(cell);
+                   if (sphere.contains(surfels_[cell].position_mm)) around.push_back(cell);
                  });
   std::sort(around.begin(), around.end());
   return around;
@@ -95,9 +94,10 @@ LiveSurface::Recoloring LiveSurface::begin_recoloring(
 Result<void> LiveSurface::add_color(const texture::TextureFrame& frame,
                                     const calibration::Calibration& calibration,
                                     Recoloring& recoloring) const {
-  const Surroundings seen(frame.T_world_sensor, calibration, options_.texture);
-  // The surroundings of the place are as large.
-  if (!seen.have(recoloring.middle_mm.cast<float>(), static_cast<float>(seen.reach_mm))) return {};
+  const VolumeSphere seen(frame.T_world_sensor, calibration, options_.texture);
+  // The sphere around the place is as large.
+  if (!seen.contains(recoloring.middle_mm.cast<float>(), static_cast<float>(seen.reach_mm)))
+    return {};
   const std::vector<std::uint32_t>& cells = recoloring.cells;
   return observe(frame, calibration, [&](std::uint32_t cell) -> texture::ObservedColor* {
     const auto found = std::lower_bound(cells.begin(), cells.end(), cell);

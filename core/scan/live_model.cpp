@@ -180,10 +180,14 @@ void LiveModel::begin_rebuild(std::vector<AlignedView> views, bool is_other) {
   rebuild_->surface.show_crossed(shows_crossed_);
 }
 
-void LiveModel::continue_work() {
-  // A surface that is built anew gets its colors from the present frames.
-  if (rebuild_) return continue_rebuild();
+bool LiveModel::continue_work() {
+  // The new surface gets its colors from the present frames, so most of them need no recoloring.
+  if (rebuild_) {
+    continue_rebuild();
+    return !rebuild_;
+  }
   if (!recolorings_.empty()) continue_recoloring();
+  return false;
 }
 
 void LiveModel::continue_recoloring() {

@@ -51,10 +51,11 @@ class LiveModel {
   /// until the rebuild is done.
   /// @param is_other  the views have another world frame, so the old surface cannot grow any more
   void begin_rebuild(std::vector<AlignedView> views, bool is_other);
-  /// Work remains: a rebuild, or new colors where a better texture frame took the place of another.
+  /// Whether work waits: a rebuild, or new colors after a texture frame was replaced.
   [[nodiscard]] bool has_work() const { return rebuild_ || !recolorings_.empty(); }
   /// Does a piece of it, which takes milliseconds.
-  void continue_work();
+  /// @return  whether a rebuild ended
+  bool continue_work();
 
   /// Times of the views added since the last call that showed nothing new: they may be retired.
   [[nodiscard]] std::vector<double> take_redundant() { return std::exchange(redundant_s_, {}); }
@@ -89,6 +90,7 @@ class LiveModel {
                                const PlacedTexture& kept) const;
   void replace_texture(PlacedTexture& kept, const Frame& frame, const Isometry& T_world_sensor);
   void begin_recoloring(std::size_t texture);
+  /// Needed after the surface or the edits have changed.
   void restart_recoloring();
   void continue_recoloring();
   void continue_rebuild();

@@ -8,7 +8,7 @@ namespace {
 
 /// Longest time from a trigger to its image: exposure, readout, transfer and a busy computer.
 constexpr double kPatience_s = 0.5;
-/// After so long without an image none of an earlier exposure should come; if one does, its delay
+/// After this time without an image, no earlier image should still come. If one does, its delay
 /// shows it.
 constexpr double kQuiet_s = 0.2;
 /// Images of triggers are as late as each other, but for this share of a period.

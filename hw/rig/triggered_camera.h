@@ -22,7 +22,7 @@ struct TriggeredImage {
 /// show how the camera numbers them and how late they are. The time between these triggers grows,
 /// so that the image of an earlier exposure has another delay. After that, triggers do not wait: an
 /// image belongs to the trigger with its number. Another delay means that the camera missed a
-/// trigger or was restarted. Then it starts again when no more images come. Until it is done, no
+/// trigger or was restarted. Then all starts again, once no more images come. Until it is done, no
 /// image has a label. Not thread-safe.
 class TriggeredCamera {
  public:
