@@ -156,8 +156,8 @@ Result<void> calibrate_check(const CalibrateCheckArguments& arguments, const Pro
                           : calibration::check_on_plane(*poses, *calibration);
   if (!report) return tl::unexpected(report.error());
   keep_outcome(arguments, *calibration, report->outcome);
-  return conclude(*report,
-                  "the calibration no longer holds; calibrate again with flytri calibrate --live");
+  return conclude(
+      *report, "the calibration is no longer valid; calibrate again with flytri calibrate --live");
 }
 
 }  // namespace flytri::cli

@@ -21,7 +21,7 @@ struct CalibrateCheckArguments {
   bool force = false;                ///< `corrected` may replace a file
 };
 
-/// @errors  kInconsistent: the calibration no longer holds; kInsufficient: not clear; as
+/// @errors  kInconsistent: the calibration is no longer valid; kInsufficient: not clear; as
 ///          open_shots and read_calibration.
 [[nodiscard]] Result<void> calibrate_check(const CalibrateCheckArguments& arguments,
                                            const Progress& progress);

@@ -14,8 +14,9 @@ namespace {
 Error cannot_open(const device::DeviceNode& device, int error_number) {
   if (error_number == EACCES || error_number == EPERM)
     return {ErrorCode::kNotPermitted,
-            fmt::format("GPIO chip {}: you may not use it; add yourself to the group \"gpio\" or "
-                        "\"plugdev\" and log in again, or install the udev rules of this program",
+            fmt::format("GPIO chip {}: you have no permission to use it; add yourself to the group "
+                        "\"gpio\" or \"plugdev\" and log in again, or install the udev rules of "
+                        "this program",
                         device.node)};
   return {ErrorCode::kNotFound,
           fmt::format("GPIO chip {} cannot be opened ({}): unplug it and plug it in again",

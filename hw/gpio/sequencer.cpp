@@ -32,8 +32,8 @@ constexpr std::chrono::milliseconds kSignOfLife{30};
 Error cannot_open(const std::string& node, int error_number) {
   if (error_number == EACCES || error_number == EPERM) {
     return {ErrorCode::kNotPermitted,
-            fmt::format("sequencer {}: you may not use it; add yourself to the group \"plugdev\" "
-                        "and log in again, or install the udev rules of this program",
+            fmt::format("sequencer {}: you have no permission to use it; add yourself to the group "
+                        "\"plugdev\" and log in again, or install the udev rules of this program",
                         node)};
   }
   if (error_number == EBUSY) {

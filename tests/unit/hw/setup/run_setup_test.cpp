@@ -223,11 +223,11 @@ TEST_F(RunSetup, SaysWhatIsMissing) {
   ASSERT_FALSE(rig);
   EXPECT_THAT(rig.error().message, HasSubstr("plug in its USB GPIO chip"));
   for (auto& camera : head_.cameras)
-    camera.description.problems = {{ErrorCode::kNotPermitted, "you may not use it"}};
+    camera.description.problems = {{ErrorCode::kNotPermitted, "you have no permission to use it"}};
   rig = run();
   ASSERT_FALSE(rig);
   EXPECT_THAT(rig.error().message, HasSubstr("no camera can be used"));
-  EXPECT_THAT(talk_.told, HasSubstr("you may not use it"));
+  EXPECT_THAT(talk_.told, HasSubstr("you have no permission to use it"));
 }
 
 TEST_F(RunSetup, UsesNoChipOfTheComputerUnasked) {
